@@ -1,0 +1,177 @@
+#pragma once
+
+#include <array>
+#include <limits>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "slope/seepage/soil.hpp"
+#include "slope/solid/soil.hpp"
+
+namespace slope::couple {
+
+/// A point of the vertical plane: x to the right (m), y upwards (m).
+using Point = std::array<double, 2>;
+
+inline constexpr double never = std::numeric_limits<double>::infinity();
+
+/// The background grid. Its sides are the walls; the top is open.
+struct Domain {
+  Point lower{0.0, 0.0};  ///< lower left corner (m)
+  Point upper{0.0, 0.0};  ///< upper right corner (m); each side a whole number of cells
+  double cell_size = 0.0; ///< (m), > 0
+  int particles_per_cell = 4;  ///< 1, 4, 9 or 16: a square lattice in each cell
+};
+
+enum class Wall { free, roller, fixed };
+
+struct Walls {
+  Wall left = Wall::roller;
+  Wall right = Wall::roller;
+  Wall base = Wall::fixed;
+};
+
+/// One named soil: what each solver needs of it.
+struct Soil {
+  std::string name;
+  solid::Soil solid;
+  seepage::Soil seepage;
+  double porosity = 0.0;  ///< initial n (-), in (0, 1)
+};
+
+/// A polygon filled with one soil. Later regions overwrite earlier ones.
+struct Region {
+  std::size_t soil = 0;  ///< index into Case::soils
+  std::vector<Point> polygon;
+};
+
+/// Hydrostatic pressure below and suction above a level water table.
+struct HydrostaticWater {
+  double water_table = 0.0;               ///< y of P_w = 0 (m)
+  double maximum_suction = never;         ///< cap of the suction (Pa), >= 0
+};
+/// The same pore pressure everywhere (Pa, positive in compression).
+struct UniformWater {
+  double pressure = 0.0;
+};
+/// Steady seepage under the water boundaries that hold before the rain (those with `initial: true`).
+struct SteadyWater {
+  double water_table = 0.0;  ///< y of P_w = 0 in the first guess (m)
+};
+using InitialWater = std::variant<HydrostaticWater, UniformWater, SteadyWater>;
+
+enum class InitialStress { self_weight, none };
+
+/// The particles that a condition acts on, chosen at the start and followed as they move.
+enum class Place { ground_surface, base, left, right };
+
+struct PlaceRange {
+  Place place = Place::ground_surface;
+  double from = -never;  ///< x (surface, base) or y (left, right) range (m)
+  double to = never;
+};
+
+/// A pressure (or head) that is prescribed on particles.
+struct PrescribedPressure {
+  double pressure = 0.0;              ///< P_w at the particle or face (Pa)
+  std::optional<double> total_head;   ///< if given, h = P_w/gamma_w + y (m) is prescribed instead
+  bool at_face = false;               ///< true: at the face half a spacing outside the particle
+};
+/// A flux into the soil per area of the particles' face (m/s), positive inwards.
+struct PrescribedFlux {
+  double flux = 0.0;
+};
+
+struct WaterBoundary {
+  std::string name;
+  PlaceRange where;
+  std::variant<PrescribedPressure, PrescribedFlux> condition;
+  double start = 0.0;  ///< time from which it holds (s)
+  double ramp = 0.0;   ///< time over which it goes linearly from what is there to the prescribed value (s)
+  bool initial = false;  ///< holds in the steady state before the start too
+};
+
+/// A traction (Pa; x and y components) on the particles of a place.
+struct Traction {
+  std::string name;
+  PlaceRange where;
+  Point traction{0.0, 0.0};
+  double start = 0.0;
+  double ramp = 0.0;
+};
+
+enum class Skeleton { deformable, rigid };
+enum class MixtureDensity { by_saturation, saturated };
+enum class ShapeFunction { quadratic_bspline, linear };
+
+struct Numerics {
+  ShapeFunction shape_function = ShapeFunction::quadratic_bspline;
+  std::optional<double> flip_fraction;  ///< none: APIC; else the FLIP share in [0, 1] of a FLIP/PIC blend
+  double courant_number = 0.25;         ///< dt over cell size / P-wave speed, in (0, 1)
+  double pressure_tolerance = 1.0e-2;   ///< residual reduction of the pressure step, in (0, 1)
+  double smoothing_length = 1.2;        ///< SPH smoothing length over particle spacing, in [1, 2]
+};
+
+/// How much faster than the solid's own clock physical time may run.
+struct Clock {
+  bool adaptive = true;             ///< false: real time throughout
+  double inertia_limit = 0.004;     ///< largest inertial stress rho c v over overburden, and pressure change per control block over overburden (-), > 0
+  double change_fraction = 0.5;     ///< largest clock factor x first period over the time since the last change of boundary conditions (-), > 0
+  double maximum_factor = 1000.0;   ///< (-), >= 1
+};
+
+/// When the run ends; the first that is met.
+struct Stop {
+  double time = 0.0;             ///< (s), > 0
+  double displacement = never;   ///< largest displacement (m)
+  double after_onset = never;    ///< time after the onset of failure (s)
+};
+
+/// A point of the initial geometry whose nearest particle is followed.
+struct VerificationPoint {
+  std::string name;
+  Point position{0.0, 0.0};
+};
+
+struct Output {
+  std::vector<double> snapshots;        ///< times of the particle files (s); start, onset and end are always written
+  double snapshot_interval = never;     ///< (s)
+  double history_interval = 0.0;        ///< (s), > 0
+};
+
+/// What slope-render draws beside the standard pictures.
+struct Figures {
+  std::vector<double> profile_times;  ///< times of suction-against-height profiles (s); empty: no profile figure
+  std::string profile_reference;      ///< CSV with columns z_m and suction_head_m_t<time>; path relative to the case; may be empty
+  std::vector<double> contour_times;  ///< times of contour pictures (s); empty: start, onset and end
+};
+
+/// Everything that a run needs, in SI units. Built from YAML by read_case().
+struct Case {
+  std::string path;   ///< file it was read from
+  std::string title;
+  double gravity = 9.81;  ///< (m/s2), > 0
+  Domain domain;
+  Walls walls;
+  std::vector<Soil> soils;
+  std::vector<Region> regions;
+  seepage::Water water;
+  InitialWater initial_water;
+  InitialStress initial_stress = InitialStress::self_weight;
+  std::vector<WaterBoundary> water_boundaries;
+  std::vector<Traction> tractions;
+  Skeleton skeleton = Skeleton::deformable;
+  MixtureDensity mixture_density = MixtureDensity::by_saturation;
+  Numerics numerics;
+  Clock clock;
+  double onset_displacement = 0.02;          ///< (m), > 0
+  double failure_zone_strain = 0.02;         ///< deviatoric strain threshold (-), > 0
+  Stop stop;
+  std::vector<VerificationPoint> points;
+  Output output;
+  Figures figures;
+};
+
+}  // namespace slope::couple

@@ -1,0 +1,142 @@
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "slope/couple/case.hpp"
+
+namespace slope::couple {
+
+/// Broken physics: names the time, the particle, the field and the value.
+class SimulationError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Components of a symmetric tensor in plane strain; xz and yz are zero.
+struct PlaneTensor {
+  double xx = 0.0, yy = 0.0, zz = 0.0, xy = 0.0;
+};
+
+/// The state of all particles at one time, in the order of their ids, SI units, tension positive,
+/// pore pressure positive in compression.
+struct ParticleTable {
+  double time = 0.0;                         ///< since the start of the rain (s)
+  std::vector<Point> position;               ///< (m)
+  std::vector<Point> displacement;           ///< (m)
+  std::vector<Point> velocity;               ///< of the skeleton, in physical time (m/s)
+  std::vector<Point> darcy_velocity;         ///< w of Eq. 4 (m/s)
+  std::vector<PlaneTensor> stress_effective; ///< (Pa)
+  std::vector<PlaneTensor> strain;           ///< accumulated (-)
+  std::vector<double> deviatoric_strain;     ///< eps_q = sqrt(2/3 e:e) (-)
+  std::vector<double> pore_pressure;         ///< P_w (Pa)
+  std::vector<double> suction;               ///< s = -P_w (Pa)
+  std::vector<double> saturation;            ///< S_r (-)
+  std::vector<double> porosity;              ///< n (-)
+  std::vector<double> volume;                ///< per metre of thickness (m2)
+  std::vector<int> soil;                     ///< index into Case::soils
+};
+
+/// What a progress line shows.
+struct Progress {
+  double time = 0.0;                  ///< simulated (s)
+  double share = 0.0;                 ///< of the run that is done (-), in [0, 1]
+  double clock_factor = 1.0;          ///< physical time over the solid's own time (-)
+  double largest_displacement = 0.0;  ///< (m)
+  std::size_t steps = 0;
+};
+
+/// One column of the history table.
+struct HistoryColumn {
+  std::string name;  ///< e.g. "A1 displacement"
+  std::string unit;  ///< e.g. "m"; "-" if it has none
+};
+
+/// The particles whose deviatoric strain exceeds the case's threshold.
+struct FailureZone {
+  double length = 0.0;        ///< horizontal extent (m)
+  double height = 0.0;        ///< vertical extent (m)
+  double depth = 0.0;         ///< largest depth, normal to the ground surface at the start (m)
+  double area = 0.0;          ///< (m2)
+  double lowest = 0.0;        ///< y of its lowest point (m)
+  double highest = 0.0;       ///< y of its highest point (m)
+  double run_out = 0.0;       ///< how far the foremost failed particle went, horizontally (m)
+  double largest_suction = 0.0;  ///< left anywhere in the slope (Pa)
+};
+
+/// Water that has crossed the boundary and been stored since the start, per metre of thickness (m3/m).
+struct WaterBudget {
+  double infiltration = 0.0;  ///< in through prescribed boundaries
+  double outflow = 0.0;       ///< out through prescribed boundaries
+  double storage = 0.0;       ///< change of what the pores hold
+  double error = 0.0;         ///< (infiltration - outflow - storage) / max(infiltration, outflow) (-)
+  std::map<std::string, double> by_boundary;  ///< net inflow of each named boundary (m3/m)
+};
+
+/// When the largest displacement passed a value.
+struct DisplacementTime {
+  double displacement = 0.0;    ///< (m)
+  std::optional<double> time;   ///< (s); none: it did not
+};
+
+struct Summary {
+  std::string end_reason;               ///< "time", "displacement", "after_onset", or "running"
+  double time = 0.0;                    ///< simulated (s)
+  double onset_criterion = 0.0;         ///< displacement that counts as failure (m)
+  std::optional<double> onset_time;     ///< (s); none: the slope stood
+  Point onset_position{0.0, 0.0};       ///< where the largest displacement was at onset (m)
+  std::vector<DisplacementTime> displacement_times;  ///< 1, 2, 5, 10, 30 and 100 cm
+  std::optional<FailureZone> zone_at_onset;          ///< at the onset
+  std::optional<FailureZone> zone_at_10_cm;          ///< at a largest displacement of 10 cm
+  FailureZone zone_at_end;
+  WaterBudget water;
+  double largest_displacement = 0.0;    ///< (m)
+  double pressure_checkerboard = 0.0;   ///< largest over the run, of the measure defined in README (-)
+  double initial_head_flux = 0.0;       ///< largest Darcy flux of the head operator before the rain, over k (-)
+  std::size_t particles = 0;
+  std::size_t steps = 0;
+  double mean_pressure_iterations = 0.0;
+};
+
+/// What advance() came to.
+struct Event {
+  bool history = false;   ///< a history row is due: ask history_row()
+  bool snapshot = false;  ///< a particle file is due: ask particles()
+  bool finished = false;  ///< the run is over
+};
+
+/// A case being run: both solvers, the exchange between them, and the clock.
+class Simulation {
+ public:
+  /// Fills the regions with particles and builds both solvers.
+  /// @param threads  >= 1; the result does not depend on it.
+  /// @throws InputError if the case cannot be set up.
+  explicit Simulation(Case input, int threads = 1);
+  ~Simulation();
+  Simulation(Simulation&&) noexcept;
+  Simulation& operator=(Simulation&&) noexcept;
+
+  /// Initial pore pressure and self-weight stress at fixed positions; time is zero afterwards.
+  void initialise();
+  /// Steps until something is due, or at most a few hundred steps.
+  /// @throws SimulationError when the physics breaks; the state before the step stays readable.
+  Event advance();
+
+  [[nodiscard]] const Case& input() const;
+  [[nodiscard]] Progress progress() const;
+  [[nodiscard]] ParticleTable particles() const;
+  [[nodiscard]] std::vector<HistoryColumn> history_columns() const;  ///< the first is the time (s)
+  [[nodiscard]] std::vector<double> history_row() const;
+  [[nodiscard]] Summary summary() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace slope::couple
