@@ -1,0 +1,18 @@
+#!/usr/bin/env bash
+# From a fresh clone to pictures of a slope that got wet and failed: installs what is missing, builds,
+# runs cases/slope-w2.yaml and draws it.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+export OMP_WAIT_POLICY=passive
+
+tools/setup-debian.sh
+cmake --preset release
+cmake --build --preset release --target slope-sim slope-render
+
+results=results/slope-w2
+build/release/tools/slope-sim run cases/slope-w2.yaml -o "$results" --threads "$(nproc)"
+build/release/tools/slope-render "$results"
+
+echo
+echo "The pictures:"
+find "$PWD/$results" -name '*.png' | sort | sed 's/^/  /'
