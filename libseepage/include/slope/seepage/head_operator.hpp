@@ -1,0 +1,70 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "slope/seepage/kernel.hpp"
+#include "slope/seepage/neighbours.hpp"
+#include "slope/seepage/skeleton.hpp"
+
+namespace slope::seepage {
+
+/// The pairwise, conservative SPH operator of the hydraulic head h = P_w / gamma_w + y:
+///
+///     (L h)_p = sum_q g_pq (K_p + K_q) / 2 (h_p - h_q),   g_pq = g_qp >= 0,
+///
+/// the outflow of particle p (m2/s per metre of thickness). Symmetric and positive semidefinite; what leaves p enters q;
+/// a uniform head does not flow. g_pq = 2 V_p V_q F_pq e.(B_p + B_q).e / 2, with e along the pair and tensors B_p that
+/// give every particle the right second moment sum_q V_q F_pq (e.B.e) r r = I: the conductivity is exact in all
+/// directions on any lattice. At walls the mirror images of the neighbours are part of the sums, which makes the wall
+/// impermeable. At a free surface the moment along the surface is made exact, that across it keeps its truncated half.
+class HeadOperator {
+ public:
+  /// @param spacing  particle spacing (m); @param smoothing_ratio  smoothing length over spacing (-)
+  HeadOperator(double spacing, double smoothing_ratio, const MirrorWalls& walls, int threads);
+
+  /// Follows the particles; works the pair factors out anew when one has moved by more than a hundredth of the
+  /// spacing since the last time. @return whether it did.
+  bool update(const Skeleton& skeleton);
+
+  /// Conductances of the pairs for the conductivities K_p = k k_rw (m/s).
+  void set_conductivity(std::span<const double> conductivity);
+
+  /// outflow = L h (m2/s).
+  void apply(std::span<const double> head, std::span<double> outflow) const;
+  /// Diagonal of L (m/s).
+  [[nodiscard]] std::span<const double> diagonal() const { return diagonal_; }
+
+  [[nodiscard]] const Neighbours& neighbours() const { return neighbours_; }
+  /// Conductance of each pair (m/s), in the order of neighbours().index.
+  [[nodiscard]] std::span<const double> conductance() const { return conductance_; }
+
+  /// Gradient (per metre) of a particle field, exact for linear fields; mirror images continue it evenly over walls.
+  void gradient(std::span<const double> field, const Skeleton& skeleton, std::span<double> dx,
+                std::span<double> dy) const;
+
+ private:
+  struct Tensor {
+    double xx, xy, yy;
+  };
+  void find_pair_factors(const Skeleton& skeleton);
+  template <class Visit>
+  void visit_images(const Skeleton& skeleton, std::size_t p, std::size_t q, Visit&& visit) const;
+  [[nodiscard]] std::vector<Tensor> target_moments(const Skeleton& skeleton) const;
+  void correct_moments(const Skeleton& skeleton, const std::vector<Tensor>& target, std::vector<Tensor>& tensor) const;
+
+  double spacing_;
+  WendlandC2 kernel_;
+  MirrorWalls walls_;
+  int threads_;
+  double lattice_scale_ = 1.0;  // makes the moment of the regular lattice the unit tensor
+  double flat_surface_ = 1.0;   // |sum V F r| of the outermost particles of a flat lattice surface
+  Neighbours neighbours_;
+  std::vector<double> x_weighted_, y_weighted_;  // positions when the pair factors were worked out
+  std::vector<double> factor_;                   // g_pq
+  std::vector<double> conductance_;              // g_pq (K_p + K_q) / 2
+  std::vector<double> diagonal_;
+};
+
+}  // namespace slope::seepage

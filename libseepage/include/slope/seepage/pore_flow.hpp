@@ -1,0 +1,141 @@
+#pragma once
+
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "slope/seepage/boundary.hpp"
+#include "slope/seepage/conjugate_gradients.hpp"
+#include "slope/seepage/head_operator.hpp"
+#include "slope/seepage/skeleton.hpp"
+#include "slope/seepage/soil.hpp"
+#include "slope/seepage/volume_response.hpp"
+
+namespace slope::seepage {
+
+/// Broken physics of the pore water: a pressure that is not a number, a step that cannot be solved.
+class SeepageError : public std::runtime_error {
+ public:
+  SeepageError(std::size_t particle, const std::string& field, double value);
+  std::size_t particle;  ///< index
+  std::string field;
+  double value;
+};
+
+struct FlowSettings {
+  double spacing = 0.0;          ///< particle spacing (m), > 0
+  double smoothing_ratio = 1.2;  ///< smoothing length over spacing (-)
+  MirrorWalls walls;
+  int threads = 1;               ///< >= 1; results do not depend on it
+};
+
+/// What one solution came to.
+struct SolveReport {
+  int iterations = 0;             ///< of conjugate gradients, or of Newton's method
+  double largest_change = 0.0;    ///< of the pressure (Pa)
+  bool converged = true;
+};
+
+/// Pore water on particles: generalised Darcy flow, retention, and mass balance (paper, Eqs. 4-10), implicit in time and
+/// exact in mass.
+///
+/// With a moving skeleton, a step is: follow(); solve() for the pressure change, with the volume change that the
+/// skeleton makes on its own and the one that it makes in response; then, when the skeleton has moved, finish(), which
+/// takes stock of the water and carries what is left to the next step. With a rigid skeleton, advance() does all that
+/// with Newton's method on an assembled matrix and may take steps of any length.
+class PoreFlow {
+ public:
+  /// @param soil  index into `soils` of each particle; @param pressure  initial P_w (Pa)
+  PoreFlow(std::vector<Soil> soils, const Water& water, std::span<const std::uint16_t> soil,
+           std::span<const double> pressure, const Skeleton& skeleton, const FlowSettings& settings);
+
+  /// Takes up the skeleton's present positions; call before solve().
+  void follow(const Skeleton& skeleton);
+
+  /// Finds the pressure change dP of a step from the mass balance of every particle:
+  ///
+  ///     [V (n S_r/K_w + C_s) + t L/gamma_w + S_r R S_r] dP = -S_r V e - t L h + boundary terms + defect
+  ///
+  /// by conjugate gradients with diagonal preconditioner, started from the previous step's solution.
+  /// @param time_step  t (s), > 0; @param strain  volumetric strain e of the skeleton at unchanged pressure (-), expansion
+  /// positive; @param response  R; @param tolerance  reduction of the residual, in (0, 1)
+  template <VolumeResponse Response>
+  SolveReport solve(double time_step, const Skeleton& skeleton, std::span<const double> strain,
+                    const Boundary& boundary, const Response& response, double tolerance);
+
+  /// The pressure change found by solve() (Pa).
+  [[nodiscard]] std::span<const double> pressure_change() const { return change_; }
+  /// S_r dP of it (Pa).
+  [[nodiscard]] std::span<const double> pore_stress_change() const { return stress_change_; }
+
+  /// Adds the pressure change, evaluates saturation and permeability, and books the water of the step.
+  /// @param skeleton  volumes and porosities after the step
+  void finish(double time_step, const Skeleton& skeleton, const Boundary& boundary);
+
+  /// A whole implicit step with a rigid skeleton (backward Euler, Newton's method with lagged permeability, assembled
+  /// matrix). If it does not converge, nothing has changed.
+  SolveReport advance(double time_step, const Skeleton& skeleton, const Boundary& boundary, double tolerance_pressure,
+                      int maximum_iterations = 20);
+
+  [[nodiscard]] std::span<const double> pressure() const { return pressure_; }          ///< P_w (Pa)
+  [[nodiscard]] std::span<const double> suction() const { return suction_; }            ///< s = -P_w (Pa)
+  [[nodiscard]] std::span<const double> saturation() const { return saturation_; }      ///< S_r (-)
+  [[nodiscard]] std::span<const double> conductivity() const { return conductivity_; }  ///< k k_rw (m/s)
+  [[nodiscard]] std::span<const double> pore_stress() const { return pore_stress_; }    ///< S_r P_w (Pa)
+  [[nodiscard]] const HeadOperator& head_operator() const { return operator_; }
+  [[nodiscard]] const Water& water() const { return water_; }
+
+  /// Darcy's velocity w = -k k_rw grad h (m/s) (paper, Eq. 4 without the acceleration).
+  void darcy_velocity(const Skeleton& skeleton, std::span<double> wx, std::span<double> wy) const;
+
+  /// Water in the pores now, at its reference density (m2), and what has come in by each boundary since the start.
+  [[nodiscard]] double stored_water() const;
+  [[nodiscard]] std::span<const double> cumulative_inflow() const { return inflow_; }
+  /// Net flow that each boundary brought in the latest step (m2/s).
+  [[nodiscard]] std::span<const double> inflow_rate() const { return inflow_rate_; }
+  /// Water that the last solution left unexplained, summed over the particles (m2).
+  [[nodiscard]] double unexplained_water() const;
+
+ private:
+  void evaluate_soil();
+  void find_head(const Skeleton& skeleton);
+  [[nodiscard]] double water_of(std::size_t p, const Skeleton& skeleton) const;
+  [[nodiscard]] double face_conductance(const FacePressure& face) const;
+  [[nodiscard]] double face_inflow(const FacePressure& face, double head) const;
+  void assemble(double flow_scale);
+  void check() const;
+
+  std::vector<Soil> soils_;
+  Water water_;
+  FlowSettings settings_;
+  HeadOperator operator_;
+  std::vector<std::uint16_t> soil_;
+  std::vector<std::vector<std::uint32_t>> particles_of_soil_;
+
+  std::vector<double> pressure_, suction_, saturation_, pore_stress_;
+  std::vector<double> capacity_;      // dS_r/dP_w (1/Pa)
+  std::vector<double> conductivity_;  // k k_rw (m/s)
+  std::vector<double> head_;          // (m)
+  std::vector<double> elevation_;     // of the particles during the step (m)
+  std::vector<double> content_;       // water of each particle at its last booking (m2)
+  std::vector<double> defect_;        // water that the last booking left unexplained (m2)
+  std::vector<double> change_, stress_change_, last_rate_;
+  std::vector<double> inflow_, inflow_rate_;
+
+  std::vector<double> storage_, right_side_, diagonal_, outflow_, work_, work2_;
+  std::vector<std::uint8_t> is_held_;
+  ConjugateGradients solver_;
+  Eigen::SparseMatrix<double> matrix_;
+  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factorisation_;
+  bool pattern_known_ = false;  // whether the factorisation's ordering fits the present neighbours
+};
+
+}  // namespace slope::seepage
+
+#include "slope/seepage/pore_flow_solve.hpp"

@@ -1,0 +1,74 @@
+#pragma once
+
+// The matrix-free pressure step of PoreFlow; included by pore_flow.hpp.
+
+#include <algorithm>
+#include <cmath>
+
+#include "slope/seepage/pore_flow.hpp"
+
+namespace slope::seepage {
+
+template <VolumeResponse Response>
+SolveReport PoreFlow::solve(double time_step, const Skeleton& skeleton, std::span<const double> strain,
+                            const Boundary& boundary, const Response& response, double tolerance) {
+  const std::size_t n = pressure_.size();
+  const double flow_scale = time_step / water_.unit_weight();
+  find_head(skeleton);
+  operator_.set_conductivity(conductivity_);
+  operator_.apply(head_, outflow_);
+  response.diagonal(work_);
+  for (std::size_t p = 0; p < n; ++p) {
+    const double s = saturation_[p];
+    storage_[p] = skeleton.volume[p] * skeleton.porosity[p] * (s / water_.bulk_modulus + capacity_[p]);
+    right_side_[p] = -s * skeleton.volume[p] * strain[p] - time_step * outflow_[p] + defect_[p];
+    diagonal_[p] = storage_[p] + flow_scale * operator_.diagonal()[p] + s * s * work_[p];
+  }
+  for (const FacePressure& face : boundary.faces) {
+    const double conductance = face_conductance(face);
+    storage_[face.particle] += flow_scale * conductance;
+    diagonal_[face.particle] += flow_scale * conductance;
+    right_side_[face.particle] += time_step * face_inflow(face, head_[face.particle]);
+  }
+  for (const Inflow& inflow : boundary.inflows) right_side_[inflow.particle] += time_step * inflow.rate;
+
+  // q -> [storage + flow + response] q; the rows of held pressures are taken out
+  const auto full = [&](std::span<const double> in, std::span<double> out) {
+    operator_.apply(in, out);
+    for (std::size_t p = 0; p < n; ++p) work_[p] = saturation_[p] * in[p];
+    response.apply(work_, work2_);
+    for (std::size_t p = 0; p < n; ++p) {
+      out[p] = storage_[p] * in[p] + flow_scale * out[p] + saturation_[p] * work2_[p];
+    }
+  };
+  if (!boundary.held.empty()) {
+    std::fill(is_held_.begin(), is_held_.end(), std::uint8_t{0});
+    std::fill(stress_change_.begin(), stress_change_.end(), 0.0);
+    for (const HeldPressure& held : boundary.held) {
+      is_held_[held.particle] = 1;
+      stress_change_[held.particle] = held.pressure - pressure_[held.particle];
+    }
+    full(stress_change_, outflow_);
+    for (std::size_t p = 0; p < n; ++p) right_side_[p] = is_held_[p] != 0 ? 0.0 : right_side_[p] - outflow_[p];
+  }
+  const auto reduced = [&](std::span<const double> in, std::span<double> out) {
+    full(in, out);
+    for (const HeldPressure& held : boundary.held) out[held.particle] = diagonal_[held.particle] * in[held.particle];
+  };
+  for (std::size_t p = 0; p < n; ++p) change_[p] = last_rate_[p] * time_step;
+  for (const HeldPressure& held : boundary.held) change_[held.particle] = 0.0;
+  const auto result = solver_.solve(reduced, diagonal_, right_side_, change_, tolerance, 500, settings_.threads);
+
+  SolveReport report;
+  report.iterations = result.iterations;
+  report.converged = result.converged;
+  for (const HeldPressure& held : boundary.held) change_[held.particle] = held.pressure - pressure_[held.particle];
+  for (std::size_t p = 0; p < n; ++p) {
+    last_rate_[p] = change_[p] / time_step;
+    stress_change_[p] = saturation_[p] * change_[p];
+    report.largest_change = std::max(report.largest_change, std::abs(change_[p]));
+  }
+  return report;
+}
+
+}  // namespace slope::seepage

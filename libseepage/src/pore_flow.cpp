@@ -1,0 +1,151 @@
+#include "slope/seepage/pore_flow.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace slope::seepage {
+
+SeepageError::SeepageError(std::size_t at, const std::string& name, double bad)
+    : std::runtime_error("particle " + std::to_string(at) + ": " + name + " is " + std::to_string(bad)),
+      particle(at),
+      field(name),
+      value(bad) {}
+
+PoreFlow::PoreFlow(std::vector<Soil> soils, const Water& water, std::span<const std::uint16_t> soil,
+                   std::span<const double> pressure, const Skeleton& skeleton, const FlowSettings& settings)
+    : soils_(std::move(soils)),
+      water_(water),
+      settings_(settings),
+      operator_(settings.spacing, settings.smoothing_ratio, settings.walls, settings.threads),
+      soil_(soil.begin(), soil.end()),
+      particles_of_soil_(soils_.size()),
+      pressure_(pressure.begin(), pressure.end()) {
+  const std::size_t n = pressure_.size();
+  for (std::size_t p = 0; p < n; ++p) particles_of_soil_[soil_[p]].push_back(static_cast<std::uint32_t>(p));
+  for (auto* v : {&suction_, &saturation_, &pore_stress_, &capacity_, &conductivity_, &head_, &content_, &defect_,
+                  &change_, &stress_change_, &last_rate_, &storage_, &right_side_, &diagonal_, &outflow_, &work_,
+                  &work2_}) {
+    v->assign(n, 0.0);
+  }
+  is_held_.assign(n, 0);
+  evaluate_soil();
+  follow(skeleton);
+  for (std::size_t p = 0; p < n; ++p) content_[p] = water_of(p, skeleton);
+}
+
+void PoreFlow::follow(const Skeleton& skeleton) { pattern_known_ = !operator_.update(skeleton) && pattern_known_; }
+
+// S_r, dS_r/dP_w, k k_rw and S_r P_w at the present pressure (paper, Eqs. 8-10).
+void PoreFlow::evaluate_soil() {
+  const double inverse_weight = 1.0 / water_.unit_weight();
+  for (std::size_t k = 0; k < soils_.size(); ++k) {
+    const std::vector<std::uint32_t>& members = particles_of_soil_[k];
+    const double saturated = soils_[k].hydraulic_conductivity;
+    const double floor = soils_[k].relative_permeability.floor;
+    std::visit(
+        [&](const auto& retention, const auto& permeability) {
+#pragma omp parallel for schedule(static) num_threads(settings_.threads) if (settings_.threads > 1)
+          for (std::size_t i = 0; i < members.size(); ++i) {
+            const std::size_t p = members[i];
+            suction_[p] = -pressure_[p];
+            const double suction_head = suction_[p] * inverse_weight;
+            const Saturation s = retention.evaluate(suction_head);
+            saturation_[p] = s.saturation;
+            capacity_[p] = -s.slope * inverse_weight;
+            conductivity_[p] = saturated * std::max(permeability.evaluate(suction_head, s.saturation), floor);
+            pore_stress_[p] = s.saturation * pressure_[p];
+          }
+        },
+        soils_[k].retention, soils_[k].relative_permeability.law);
+  }
+}
+
+void PoreFlow::find_head(const Skeleton& skeleton) {
+  const double inverse_weight = 1.0 / water_.unit_weight();
+  elevation_.assign(skeleton.y.begin(), skeleton.y.end());
+  for (std::size_t p = 0; p < pressure_.size(); ++p) head_[p] = pressure_[p] * inverse_weight + elevation_[p];
+}
+
+double PoreFlow::water_of(std::size_t p, const Skeleton& skeleton) const {
+  return skeleton.porosity[p] * saturation_[p] * skeleton.volume[p] * (1.0 + pressure_[p] / water_.bulk_modulus);
+}
+
+// Half a spacing of soil between the face and its particle, at the mean of their conductivities.
+double PoreFlow::face_conductance(const FacePressure& face) const {
+  const Soil& soil = soils_[soil_[face.particle]];
+  const double suction_head = -face.pressure / water_.unit_weight();
+  const double saturation =
+      std::visit([&](const auto& law) { return law.evaluate(suction_head).saturation; }, soil.retention);
+  const double at_face =
+      soil.hydraulic_conductivity * soil.relative_permeability.evaluate(suction_head, saturation);
+  return 0.5 * (at_face + conductivity_[face.particle]) * face.area / face.distance;
+}
+
+double PoreFlow::face_inflow(const FacePressure& face, double head) const {
+  const double face_head = face.pressure / water_.unit_weight() + elevation_[face.particle] + face.rise;
+  return face_conductance(face) * (face_head - head);
+}
+
+void PoreFlow::finish(double time_step, const Skeleton& skeleton, const Boundary& boundary) {
+  const std::size_t n = pressure_.size();
+  const double inverse_weight = 1.0 / water_.unit_weight();
+  // the flow of the step, at the conductivities and positions for which it was solved
+  for (std::size_t p = 0; p < n; ++p) {
+    head_[p] += change_[p] * inverse_weight;
+    pressure_[p] += change_[p];
+  }
+  operator_.apply(head_, outflow_);
+  inflow_.resize(boundary.count, 0.0);
+  inflow_rate_.assign(boundary.count, 0.0);
+  for (const FacePressure& face : boundary.faces) {
+    const double rate = face_inflow(face, head_[face.particle]);
+    outflow_[face.particle] -= rate;
+    inflow_rate_[face.boundary] += rate;
+  }
+  for (const Inflow& inflow : boundary.inflows) {
+    outflow_[inflow.particle] -= inflow.rate;
+    inflow_rate_[inflow.boundary] += inflow.rate;
+  }
+  evaluate_soil();
+  for (std::size_t p = 0; p < n; ++p) {
+    const double content = water_of(p, skeleton);
+    defect_[p] += content_[p] - content - time_step * outflow_[p];
+    content_[p] = content;
+  }
+  for (const HeldPressure& held : boundary.held) {
+    inflow_rate_[held.boundary] -= defect_[held.particle] / time_step;
+    defect_[held.particle] = 0.0;
+  }
+  for (std::size_t b = 0; b < boundary.count; ++b) inflow_[b] += time_step * inflow_rate_[b];
+  check();
+}
+
+void PoreFlow::check() const {
+  for (std::size_t p = 0; p < pressure_.size(); ++p) {
+    if (!std::isfinite(pressure_[p])) throw SeepageError(p, "pore pressure (Pa)", pressure_[p]);
+  }
+}
+
+void PoreFlow::darcy_velocity(const Skeleton& skeleton, std::span<double> wx, std::span<double> wy) const {
+  std::vector<double> head(pressure_.size());
+  for (std::size_t p = 0; p < head.size(); ++p) head[p] = pressure_[p] / water_.unit_weight() + skeleton.y[p];
+  operator_.gradient(head, skeleton, wx, wy);
+  for (std::size_t p = 0; p < head.size(); ++p) {
+    wx[p] *= -conductivity_[p];
+    wy[p] *= -conductivity_[p];
+  }
+}
+
+double PoreFlow::stored_water() const {
+  double sum = 0.0;
+  for (const double content : content_) sum += content;
+  return sum;
+}
+
+double PoreFlow::unexplained_water() const {
+  double sum = 0.0;
+  for (const double defect : defect_) sum += defect;
+  return sum;
+}
+
+}  // namespace slope::seepage

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+namespace slope::solid {
+
+/// How a wall holds the soil: not at all, normal to itself only, or altogether.
+enum class Wall { free, roller, fixed };
+
+struct Walls {
+  Wall left = Wall::roller;
+  Wall right = Wall::roller;
+  Wall base = Wall::fixed;
+};
+
+/// The background grid: square cells in a box whose left, right and lower sides are walls. Nodes stand at the corners of
+/// the cells, with one more ring outside of the box, where quadratic B-splines reach.
+struct Grid {
+  std::array<double, 2> lower{0.0, 0.0};  ///< lower left corner of the box (m)
+  double cell_size = 0.0;                 ///< (m), > 0
+  int columns = 0;                        ///< cells in x, > 0
+  int rows = 0;                           ///< cells in y, > 0
+  Walls walls;
+
+  [[nodiscard]] int node_columns() const { return columns + 3; }
+  [[nodiscard]] int node_rows() const { return rows + 3; }
+  [[nodiscard]] std::size_t node_count() const { return std::size_t(node_columns()) * std::size_t(node_rows()); }
+  [[nodiscard]] std::size_t cell_count() const { return std::size_t(columns) * std::size_t(rows); }
+  /// Index of the node at column i and row j, each from -1 to the number of cells + 1.
+  [[nodiscard]] std::size_t node(int i, int j) const {
+    return std::size_t(j + 1) * std::size_t(node_columns()) + std::size_t(i + 1);
+  }
+};
+
+}  // namespace slope::solid

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace slope::solid {
+
+/// State of the soil skeleton: a structure of arrays, one entry per particle, SI units, per metre of thickness.
+/// Stress and strain are tensors, tension positive.
+struct Particles {
+  std::vector<double> x, y;            ///< position (m)
+  std::vector<double> ux, uy;          ///< displacement since the start (m)
+  std::vector<double> vx, vy;          ///< velocity (m/s)
+  std::vector<double> cxx, cxy, cyx, cyy;  ///< affine velocity field dv_x/dx, dv_x/dy, dv_y/dx, dv_y/dy of APIC (1/s)
+  std::vector<double> sxx, syy, szz, sxy;  ///< effective stress sigma' (Pa)
+  std::vector<double> exx, eyy, exy;       ///< accumulated strain (-); e_zz = 0
+  std::vector<double> volume;              ///< V (m2)
+  std::vector<double> solid_mass;          ///< (1 - n) rho_s V, constant (kg/m)
+  std::vector<double> porosity;            ///< n (-)
+  std::vector<std::uint16_t> soil;         ///< index of the soil
+
+  [[nodiscard]] std::size_t size() const { return x.size(); }
+
+  /// Particles at rest and free of stress.
+  /// @param grain_density  rho_s of each soil (kg/m3), indexed by `soil_index`
+  static Particles at(std::span<const double> x, std::span<const double> y, std::span<const double> volume,
+                      std::span<const double> porosity, std::span<const std::uint16_t> soil_index,
+                      std::span<const double> grain_density);
+};
+
+}  // namespace slope::solid

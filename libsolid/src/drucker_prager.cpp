@@ -1,0 +1,65 @@
+#include "slope/solid/drucker_prager.hpp"
+
+#include <cmath>
+
+namespace slope::solid {
+
+namespace {
+
+struct Match {
+  double eta;
+  double xi;
+};
+
+// Eqs. 13 and 14: the cone that meets Mohr-Coulomb in associated plane strain.
+Match plane_strain_match(double angle) {
+  const double t = std::tan(angle);
+  const double root = std::sqrt(9.0 + 12.0 * t * t);
+  return {t / root, 3.0 / root};
+}
+
+}  // namespace
+
+double YieldCone::value(const SymmetricTensor& stress) const {
+  return std::sqrt(second_invariant(stress)) + eta * trace(stress) - xi_c;
+}
+
+SuctionDependentCone::SuctionDependentCone(const DruckerPrager& strength) : strength_(strength) {
+  const Match friction = plane_strain_match(strength.friction_angle);
+  xi_ = friction.xi;
+  saturated_ = {friction.eta, plane_strain_match(strength.dilatancy_angle).eta, friction.xi * strength.cohesion};
+}
+
+YieldCone SuctionDependentCone::at(double suction) const {
+  if (suction <= 0.0) return saturated_;
+  const double s = suction / atmospheric_pressure;
+  const double cohesion =
+      strength_.cohesion - strength_.maximum_cohesion_increase * std::expm1(-strength_.cohesion_suction_rate * s);
+  if (strength_.friction_angle_suction_rate == 0.0) return {saturated_.eta, saturated_.eta_potential, xi_ * cohesion};
+  const Match friction = plane_strain_match(strength_.friction_angle + strength_.friction_angle_suction_rate * s);
+  return {friction.eta, saturated_.eta_potential, friction.xi * cohesion};
+}
+
+Return return_to_yield_surface(const YieldCone& cone, const Elastic& elastic, SymmetricTensor& stress) {
+  const double mean = trace(stress) / 3.0;
+  const double root_j2 = std::sqrt(second_invariant(stress));
+  const double f = root_j2 + 3.0 * cone.eta * mean - cone.xi_c;
+  if (f <= 0.0) return Return::elastic;
+
+  const double shear = elastic.shear_modulus();
+  const double bulk = elastic.bulk_modulus();
+  const double multiplier = f / (shear + 9.0 * bulk * cone.eta * cone.eta_potential);
+  const double new_root_j2 = root_j2 - shear * multiplier;
+  if (new_root_j2 >= 0.0) {
+    const double scale = root_j2 > 0.0 ? new_root_j2 / root_j2 : 0.0;
+    const double new_mean = mean - 3.0 * bulk * cone.eta_potential * multiplier;
+    stress = {(stress.xx - mean) * scale + new_mean, (stress.yy - mean) * scale + new_mean,
+              (stress.zz - mean) * scale + new_mean, stress.xy * scale};
+    return Return::cone;
+  }
+  const double tip = cone.xi_c / (3.0 * cone.eta);
+  stress = {tip, tip, tip, 0.0};
+  return Return::apex;
+}
+
+}  // namespace slope::solid

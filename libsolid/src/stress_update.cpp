@@ -1,0 +1,64 @@
+#include <cmath>
+
+#include "slope/solid/drucker_prager.hpp"
+#include "slope/solid/material_point_method.hpp"
+
+namespace slope::solid {
+
+namespace {
+
+// What the loop over the particles needs of a soil, worked out once.
+struct Material {
+  explicit Material(const Soil& soil)
+      : elastic(soil.elastic),
+        shear(soil.elastic.shear_modulus()),
+        lame(soil.elastic.bulk_modulus() - 2.0 / 3.0 * soil.elastic.shear_modulus()) {
+    if (const auto* strength = std::get_if<DruckerPrager>(&soil.strength)) cone.emplace(*strength);
+  }
+
+  Elastic elastic;
+  double shear;
+  double lame;
+  std::optional<SuctionDependentCone> cone;
+};
+
+}  // namespace
+
+void MaterialPointMethod::update_stress(double dt, std::span<const double> suction, const StepMode& mode) {
+  const std::vector<Material> materials(soils_.begin(), soils_.end());
+  cell_divergence(vx_, vy_);
+#pragma omp parallel for schedule(static) num_threads(settings_.threads) if (settings_.threads > 1)
+  for (std::size_t p = 0; p < particles_.size(); ++p) {
+    const Material& material = materials[particles_.soil[p]];
+    const double* l = gradient_of_velocity_.data() + 4 * p;
+    const double dxx = dt * l[0];
+    const double dyy = dt * l[3];
+    const double dxy = 0.5 * dt * (l[1] + l[2]);
+    const double spin = 0.5 * dt * (l[1] - l[2]);
+    if (mode.accumulates_strain) {
+      particles_.exx[p] += dxx;
+      particles_.eyy[p] += dyy;
+      particles_.exy[p] += dxy;
+    }
+    if (mode.moves) {
+      const double strain = dt * cell_value_[cell_of_[p]];
+      particles_.volume[p] *= 1.0 + strain;
+      particles_.porosity[p] = 1.0 - (1.0 - particles_.porosity[p]) / (1.0 + strain);
+    }
+    const double sxx = particles_.sxx[p], syy = particles_.syy[p], sxy = particles_.sxy[p];
+    const double volumetric = material.lame * (dxx + dyy);
+    SymmetricTensor stress{sxx + 2.0 * spin * sxy + volumetric + 2.0 * material.shear * dxx,
+                           syy - 2.0 * spin * sxy + volumetric + 2.0 * material.shear * dyy,
+                           particles_.szz[p] + volumetric,
+                           sxy + spin * (syy - sxx) + 2.0 * material.shear * dxy};
+    if (mode.yields && material.cone) {
+      return_to_yield_surface(material.cone->at(suction.empty() ? 0.0 : suction[p]), material.elastic, stress);
+    }
+    particles_.sxx[p] = stress.xx;
+    particles_.syy[p] = stress.yy;
+    particles_.szz[p] = stress.zz;
+    particles_.sxy[p] = stress.xy;
+  }
+}
+
+}  // namespace slope::solid
