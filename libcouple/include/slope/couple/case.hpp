@@ -138,7 +138,7 @@ struct VerificationPoint {
 struct Output {
   std::vector<double> snapshots;        ///< times of the particle files (s); start, onset and end are always written
   double snapshot_interval = never;     ///< (s)
-  double history_interval = 0.0;        ///< (s), > 0
+  double history_interval = 1.0;        ///< (s), > 0
 };
 
 /// What slope-render draws beside the standard pictures.

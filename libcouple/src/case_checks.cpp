@@ -1,0 +1,184 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "case_format.hpp"
+#include "polygon.hpp"
+#include "slope/couple/geometry.hpp"
+
+namespace slope::couple {
+
+namespace {
+
+/// More cells than this are taken for a slip of the unit.
+constexpr double most_cells = 4.0e6;
+
+std::string text_of(const Point& point) {
+  return fmt::format("({:g} m, {:g} m)", point[0], point[1]);
+}
+
+void check_domain(const Input& place, const Domain& domain) {
+  double cells = 1.0;
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    const double side = domain.upper[axis] - domain.lower[axis];
+    const char* direction = axis == 0 ? "right of" : "above";
+    if (side <= 0.0) {
+      place.at("upper").problem(
+          fmt::format("must be {} lower, got {} and {}", direction, text_of(domain.upper), text_of(domain.lower)));
+      return;
+    }
+    const double along = side / domain.cell_size;
+    cells *= along;
+    if (std::abs(along - std::round(along)) < 1.0e-6 && along > 0.5) continue;
+    const double fitting = domain.lower[axis] + std::max(1.0, std::ceil(along)) * domain.cell_size;
+    place.at("upper").problem(
+        fmt::format("the {} of {:g} m is not a whole number of cells of {:g} m; {} = {:g} m would be",
+                    axis == 0 ? "width" : "height", side, domain.cell_size, axis == 0 ? "x" : "y", fitting));
+  }
+  if (cells > most_cells) {
+    place.at("cell_size")
+        .problem(fmt::format("makes {:.3g} cells, at most {:g} are possible; choose a larger cell", cells, most_cells));
+  }
+}
+
+void check_region(const Input& place, const Domain& domain, const Region& region) {
+  const Input outline = place.at("polygon");
+  const double tolerance = 1.0e-9 * domain.cell_size;
+  for (std::size_t i = 0; i < region.polygon.size(); ++i) {
+    const Point& corner = region.polygon[i];
+    const bool inside = corner[0] >= domain.lower[0] - tolerance && corner[0] <= domain.upper[0] + tolerance &&
+                        corner[1] >= domain.lower[1] - tolerance && corner[1] <= domain.upper[1] + tolerance;
+    if (inside) continue;
+    outline.item(i).problem(fmt::format("the corner {} is outside of the domain, which goes from {} to {}",
+                                        text_of(corner), text_of(domain.lower), text_of(domain.upper)));
+  }
+  if (const auto edges = crossing_edges(region.polygon)) {
+    outline.problem(fmt::format("the edges from {} and from {} cross each other; give the corners in order",
+                                text_of(region.polygon[edges->first]), text_of(region.polygon[edges->second])));
+  } else if (std::abs(signed_area(region.polygon)) < 1.0e-9 * domain.cell_size * domain.cell_size) {
+    outline.problem("the polygon encloses no area; its corners lie on one line");
+  } else if (fill_regions(domain, {region}).x.empty()) {
+    outline.problem(
+        fmt::format("no particle lies in the polygon; it is too small for cells of {:g} m", domain.cell_size));
+  }
+}
+
+void check_points(const Input& root, const Case& input) {
+  const double spacing = input.domain.cell_size / std::sqrt(input.domain.particles_per_cell);
+  for (const VerificationPoint& point : input.points) {
+    const bool inside = std::any_of(input.regions.begin(), input.regions.end(), [&](const Region& region) {
+      return contains(region.polygon, point.position, spacing);
+    });
+    if (inside) continue;
+    root.at("points")
+        .at(point.name)
+        .problem(fmt::format("the point {} lies outside of the soil; move it into a region of geometry",
+                             text_of(point.position)));
+  }
+}
+
+template <class Condition>
+void check_names(const Input& place, const std::vector<Condition>& conditions) {
+  for (std::size_t i = 0; i < conditions.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (conditions[i].name != conditions[j].name) continue;
+      place.item(i).at("name").problem(
+          fmt::format("\"{}\" is the name of an earlier one; choose another", conditions[i].name));
+      break;
+    }
+  }
+}
+
+template <class Condition>
+void check_places(const Input& place, const std::vector<Condition>& conditions, const InitialParticles& particles) {
+  for (std::size_t i = 0; i < conditions.size(); ++i) {
+    if (!particles_at(conditions[i].where, particles).empty()) continue;
+    place.item(i).problem("no particle lies there; check \"at\", \"from\" and \"to\"");
+  }
+}
+
+bool overlap(const PlaceRange& a, const PlaceRange& b) {
+  return a.place == b.place && std::max(a.from, b.from) < std::min(a.to, b.to);
+}
+
+/// A particle whose pressure is held takes no second water condition.
+void check_overlaps(const Input& place, const std::vector<WaterBoundary>& boundaries) {
+  const auto held = [](const WaterBoundary& boundary) {
+    return std::holds_alternative<PrescribedPressure>(boundary.condition);
+  };
+  for (std::size_t i = 0; i < boundaries.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (!overlap(boundaries[i].where, boundaries[j].where) || !(held(boundaries[i]) || held(boundaries[j]))) continue;
+      place.item(i).problem(
+          fmt::format("overlaps with \"{}\", and a pressure can be held only once; part them by \"from\" and \"to\"",
+                      boundaries[j].name));
+    }
+  }
+}
+
+void check_steady(const Input& root, const Case& input) {
+  const bool steady = std::holds_alternative<SteadyWater>(input.initial_water);
+  const Input place = root.at("water_boundaries");
+  bool held = false;
+  for (std::size_t i = 0; i < input.water_boundaries.size(); ++i) {
+    const WaterBoundary& boundary = input.water_boundaries[i];
+    held = held || (boundary.initial && std::holds_alternative<PrescribedPressure>(boundary.condition));
+    if (boundary.initial && !steady) {
+      place.item(i).at("initial").problem("has a meaning only with initial.water of type steady; remove it");
+    }
+  }
+  if (steady && !held) {
+    root.at("initial").at("water").problem(
+        "steady seepage needs a water boundary with a pressure or total_head and \"initial: true\"");
+  }
+}
+
+void check_times(const Input& list, const std::vector<double>& times, double end) {
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    if (times[i] > end)
+      list.item(i).problem(fmt::format("{:g} s is after the end of the run, stop.time = {:g} s", times[i], end));
+  }
+}
+
+void check_reference(const Input& root, const Case& input) {
+  if (input.figures.profile_reference.empty()) return;
+  const auto path = std::filesystem::path(input.path).parent_path() / input.figures.profile_reference;
+  std::error_code error;
+  if (std::filesystem::is_regular_file(path, error)) return;
+  root.at("figures").at("profile_reference").problem(fmt::format("there is no file {}", path.string()));
+}
+
+}  // namespace
+
+void check_case(const Input& root, const Case& input) {
+  if (root.clean("domain")) check_domain(root.at("domain"), input.domain);
+  const Input geometry = root.at("geometry");
+  if (root.clean("domain") && root.clean("geometry")) {
+    for (std::size_t i = 0; i < input.regions.size(); ++i)
+      check_region(geometry.item(i), input.domain, input.regions[i]);
+  }
+  const bool soil_is_known = root.clean("domain") && root.clean("geometry");
+  if (soil_is_known && root.clean("points")) check_points(root, input);
+  const Input water = root.at("water_boundaries");
+  if (root.clean("water_boundaries")) {
+    check_names(water, input.water_boundaries);
+    check_overlaps(water, input.water_boundaries);
+    if (root.clean("initial")) check_steady(root, input);
+  }
+  if (root.clean("loads")) check_names(root.at("loads"), input.tractions);
+  if (soil_is_known) {
+    const InitialParticles particles = fill_regions(input.domain, input.regions);
+    if (root.clean("water_boundaries")) check_places(water, input.water_boundaries, particles);
+    if (root.clean("loads")) check_places(root.at("loads"), input.tractions, particles);
+  }
+  if (root.clean("stop") && root.clean("output") && root.clean("figures")) {
+    check_times(root.at("output").at("snapshots"), input.output.snapshots, input.stop.time);
+    check_times(root.at("figures").at("profile_times"), input.figures.profile_times, input.stop.time);
+    check_times(root.at("figures").at("contour_times"), input.figures.contour_times, input.stop.time);
+  }
+  if (root.clean("figures")) check_reference(root, input);
+}
+
+}  // namespace slope::couple

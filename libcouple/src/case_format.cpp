@@ -1,0 +1,216 @@
+#include "case_format.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace slope::couple {
+
+namespace {
+
+constexpr auto whole = [](auto& value) -> auto& {
+  return value;
+};
+
+/// A region as it stands in the file: with the name of its soil.
+struct RegionText {
+  std::string soil;
+  std::vector<Point> polygon;
+};
+
+Format<Domain> domain_format() {
+  return Record<Domain>()
+      .required("lower", &Domain::lower, pair_of(Dimension::length), "lower left corner", "[0 m, 0 m]")
+      .required("upper", &Domain::upper, pair_of(Dimension::length), "upper right corner, a whole number of cells away",
+                "[36 m, 14 m]")
+      .required("cell_size", &Domain::cell_size, quantity(Dimension::length, above(0.0)),
+                "side of the square grid cells", "0.5 m")
+      .required("particles_per_cell", &Domain::particles_per_cell,
+                choice<int>({{"1", 1}, {"4", 4}, {"9", 9}, {"16", 16}}), "in a square lattice", "4")
+      .format();
+}
+
+Format<Walls> walls_format() {
+  const auto wall = choice<Wall>({{"free", Wall::free}, {"roller", Wall::roller}, {"fixed", Wall::fixed}});
+  return Record<Walls>()
+      .required("left", &Walls::left, wall, "free: none, roller: no motion across it, fixed: no motion at all",
+                "roller")
+      .required("right", &Walls::right, wall, "as the left wall", "roller")
+      .required("base", &Walls::base, wall, "as the left wall", "fixed")
+      .format();
+}
+
+Format<seepage::Water> water_format() {
+  using seepage::Water;
+  return Record<Water>()
+      .optional("density", &Water::density, quantity(Dimension::density, above(0.0)), "rho_w")
+      .optional("bulk_modulus", &Water::bulk_modulus, quantity(Dimension::pressure, above(0.0)), "K_w")
+      .format();
+}
+
+/// The regions, whose soils go by name.
+Field<Case> geometry_field() {
+  const auto format =
+      list_of(Record<RegionText>()
+                  .required("soil", &RegionText::soil, text(), "name of one of the soils", "sandy_clay")
+                  .required("polygon", &RegionText::polygon, list_of(pair_of(Dimension::length), 3),
+                            "corners in order, in either sense", "[[0 m, 0 m], [36 m, 0 m], [36 m, 12 m]]")
+                  .format(),
+              1);
+  const auto read = [format](const Input& input, Case& result) {
+    std::vector<RegionText> texts;
+    format.read(input, texts);
+    std::vector<std::string> names;
+    for (const Soil& soil : result.soils) names.push_back(soil.name);
+    for (std::size_t i = 0; i < texts.size(); ++i) {
+      const auto found = std::find(names.begin(), names.end(), texts[i].soil);
+      result.regions.push_back({static_cast<std::size_t>(found - names.begin()), std::move(texts[i].polygon)});
+      const Input region = input.item(i);
+      if (found != names.end() || names.empty() || !region.has("soil")) continue;
+      region.at("soil").problem(
+          fmt::format("there is no soil \"{}\"{}", texts[i].soil, suggestion(texts[i].soil, names)));
+    }
+  };
+  const auto write = [format](const Case& input) {
+    std::vector<RegionText> texts;
+    for (const Region& region : input.regions) texts.push_back({input.soils.at(region.soil).name, region.polygon});
+    return format.write(texts);
+  };
+  const std::string description = "regions filled with a soil; where two overlap, the later one holds";
+  return {{"geometry", true, "[{soil: sandy_clay, polygon: [[0 m, 0 m], [36 m, 0 m], [36 m, 12 m]]}]",
+           described(format.schema, description)},
+          read,
+          write};
+}
+
+Format<Case> initial_format() {
+  return Record<Case>()
+      .required("water", &Case::initial_water, initial_water_format(), "pore-water pressure before the start",
+                "{type: hydrostatic, water_table: 3 m}")
+      .optional("stress", &Case::initial_stress,
+                choice<InitialStress>({{"self_weight", InitialStress::self_weight}, {"none", InitialStress::none}}),
+                "effective stress before the start: in balance with the weight, or none")
+      .format();
+}
+
+Format<Case> coupling_format() {
+  return Record<Case>()
+      .optional("skeleton", &Case::skeleton,
+                choice<Skeleton>({{"deformable", Skeleton::deformable}, {"rigid", Skeleton::rigid}}),
+                "whether the pore water feels the volume change of the skeleton")
+      .optional("mixture_density", &Case::mixture_density,
+                choice<MixtureDensity>(
+                    {{"by_saturation", MixtureDensity::by_saturation}, {"saturated", MixtureDensity::saturated}}),
+                "by_saturation: (1 - n) rho_s + n S_r rho_w; saturated: (1 - n) rho_s + n rho_w, as in the paper")
+      .format();
+}
+
+Format<Numerics> numerics_format() {
+  return Record<Numerics>()
+      .optional("shape_function", &Numerics::shape_function,
+                choice<ShapeFunction>(
+                    {{"quadratic_bspline", ShapeFunction::quadratic_bspline}, {"linear", ShapeFunction::linear}}),
+                "of the background grid")
+      .optional("flip_fraction", &Numerics::flip_fraction, maybe(quantity(Dimension::number, from_to(0.0, 1.0))),
+                "FLIP share of a FLIP/PIC blend; without this key the transfer is APIC")
+      .optional("courant_number", &Numerics::courant_number, quantity(Dimension::number, between(0.0, 1.0)),
+                "time step over the time in which a compression wave crosses a cell")
+      .optional("pressure_tolerance", &Numerics::pressure_tolerance, quantity(Dimension::number, between(0.0, 1.0)),
+                "how far each pressure step reduces its residual")
+      .optional("smoothing_length", &Numerics::smoothing_length, quantity(Dimension::number, from_to(1.0, 2.0)),
+                "SPH smoothing length over particle spacing")
+      .format();
+}
+
+Format<Clock> clock_format() {
+  return Record<Clock>()
+      .optional("adaptive", &Clock::adaptive, flag(),
+                "true: faster than real time while the soil is quiet; false: real time")
+      .optional("inertia_limit", &Clock::inertia_limit, quantity(Dimension::number, above(0.0)),
+                "largest inertial stress, and pressure change per control block, over the overburden")
+      .optional("change_fraction", &Clock::change_fraction, quantity(Dimension::number, above(0.0)),
+                "largest clock factor times first period over the time since the boundary conditions changed")
+      .optional("maximum_factor", &Clock::maximum_factor, quantity(Dimension::number, at_least(1.0)),
+                "largest clock factor")
+      .format();
+}
+
+Format<Case> failure_format() {
+  return Record<Case>()
+      .optional("onset_displacement", &Case::onset_displacement, quantity(Dimension::length, above(0.0)),
+                "the slope has failed when the largest displacement passes this")
+      .optional("zone_deviatoric_strain", &Case::failure_zone_strain, quantity(Dimension::number, above(0.0)),
+                "the failure zone is where the deviatoric strain is above this")
+      .format();
+}
+
+Format<Stop> stop_format() {
+  return Record<Stop>()
+      .required("time", &Stop::time, quantity(Dimension::time, above(0.0)), "the run ends at this time at the latest",
+                "20 min")
+      .optional("displacement", &Stop::displacement, quantity(Dimension::length, above(0.0)),
+                "the run ends when the largest displacement passes this")
+      .optional("after_onset", &Stop::after_onset, quantity(Dimension::time, at_least(0.0)),
+                "the run ends this long after the onset of failure")
+      .format();
+}
+
+Format<Output> output_format() {
+  const Format<double> moment = quantity(Dimension::time, at_least(0.0));
+  return Record<Output>()
+      .optional("snapshots", &Output::snapshots, list_of(moment),
+                "times of the particle files; start, onset, end and the times of the figures come on top")
+      .optional("snapshot_interval", &Output::snapshot_interval, quantity(Dimension::time, above(0.0)),
+                "particle files at every multiple of this as well")
+      .optional("history_interval", &Output::history_interval, quantity(Dimension::time, above(0.0)),
+                "between the rows of the history table")
+      .format();
+}
+
+Format<Figures> figures_format() {
+  const Format<double> moment = quantity(Dimension::time, at_least(0.0));
+  return Record<Figures>()
+      .optional("profile_times", &Figures::profile_times, list_of(moment),
+                "times of the profiles of suction against height")
+      .optional(
+          "profile_reference", &Figures::profile_reference, text(),
+          "CSV file with columns z_m and suction_head_m_t<time>, path from the case file, drawn beside the profiles")
+      .optional("contour_times", &Figures::contour_times, list_of(moment),
+                "times of the contour pictures; without them: start, onset and end")
+      .format();
+}
+
+}  // namespace
+
+Format<Case> case_format() {
+  const auto points = named(part<VerificationPoint>(&VerificationPoint::position, pair_of(Dimension::length)));
+  Record<Case> record;
+  record.required("title", &Case::title, text(), "what the case is about", "A slope under rain")
+      .optional("gravity", &Case::gravity, quantity(Dimension::acceleration, above(0.0)), "downwards")
+      .required("domain", &Case::domain, domain_format(),
+                "the background grid; its sides and base are walls, its top is open",
+                "{lower: [0 m, 0 m], upper: [36 m, 14 m], cell_size: 0.5 m, particles_per_cell: 4}")
+      .required("walls", &Case::walls, walls_format(), "the sides and the base of the domain",
+                "{left: roller, right: roller, base: fixed}")
+      .optional("water", &Case::water, water_format(), "the pore water")
+      .required("soils", &Case::soils, named(soil_format(), 1), "each soil by its name",
+                "{sandy_clay: {youngs_modulus: 10 MPa, …}}")
+      .field(geometry_field())
+      .required("initial", whole, initial_format(), "the state before the start",
+                "{water: {type: hydrostatic, water_table: 3 m}}")
+      .optional("water_boundaries", &Case::water_boundaries, list_of(water_boundary_format()),
+                "what the water meets at the boundary; without one a boundary is impermeable")
+      .optional("loads", &Case::tractions, list_of(traction_format()), "tractions on the boundary")
+      .optional("coupling", whole, coupling_format(), "between skeleton and pore water")
+      .optional("numerics", &Case::numerics, numerics_format(), "of the two solvers")
+      .optional("clock", &Case::clock, clock_format(), "how much faster than real time the run may go")
+      .optional("failure", whole, failure_format(), "what counts as failure")
+      .required("stop", &Case::stop, stop_format(), "when the run ends; the first that is met", "{time: 20 min}")
+      .optional("points", &Case::points, points, "verification points: the particle nearest to each is followed")
+      .optional("output", &Case::output, output_format(), "what is written, and when")
+      .optional("figures", &Case::figures, figures_format(), "what slope-render draws beside the standard pictures")
+      .check([](const Input&, Case& result) { result.water.gravity = result.gravity; });
+  return record.format();
+}
+
+}  // namespace slope::couple

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "format.hpp"
+#include "slope/couple/case.hpp"
+
+/// The case format: every key with its meaning, its unit, its range, and whether it is required.
+namespace slope::couple {
+
+[[nodiscard]] Format<Soil> soil_format();
+[[nodiscard]] Format<InitialWater> initial_water_format();
+[[nodiscard]] Format<WaterBoundary> water_boundary_format();
+[[nodiscard]] Format<Traction> traction_format();
+[[nodiscard]] Format<Case> case_format();
+
+/// Checks what concerns more than one key. Each check is left out where the keys it needs are already wrong.
+void check_case(const Input& root, const Case& input);
+
+}  // namespace slope::couple

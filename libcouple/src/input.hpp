@@ -1,0 +1,51 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "slope/couple/document.hpp"
+#include "slope/couple/read_case.hpp"
+
+namespace slope::couple {
+
+/// A place in the case file: a node, its dotted key, and the list that takes the problems found there.
+class Input {
+ public:
+  Input(const Document& root, const std::string& file, std::vector<Problem>& problems);
+
+  [[nodiscard]] const Document& node() const { return *node_; }
+  [[nodiscard]] const std::string& key() const { return key_; }
+  [[nodiscard]] const std::string& file() const { return *file_; }
+
+  /// Says what is wrong here.
+  void problem(std::string message) const;
+  /// Says what is wrong with an entry that is missing from this map.
+  void problem_with(std::string_view name, std::string message) const;
+  [[nodiscard]] std::size_t problem_count() const { return problems_->size(); }
+  /// Whether nothing was found wrong at that key of the whole file, or below it.
+  [[nodiscard]] bool clean(std::string_view key) const;
+
+  [[nodiscard]] bool has(std::string_view name) const { return node_->find(name) != nullptr; }
+  /// The entry of that name; this place itself if there is none.
+  [[nodiscard]] Input at(std::string_view name) const;
+  /// The item of a list; an item with a name goes by it.
+  [[nodiscard]] Input item(std::size_t index) const;
+
+ private:
+  Input(const Input& parent, const Document& node, std::string key);
+
+  const Document* node_;
+  std::string key_;
+  const std::string* file_;
+  std::vector<Problem>* problems_;
+};
+
+/// Reads YAML text into a document, every node with its line.
+/// Text that is not YAML, duplicate keys and more than one document are put into the list of problems.
+[[nodiscard]] Document parse_yaml(const std::string& text, const std::string& file, std::vector<Problem>& problems);
+
+/// Applies "dotted.key=value" to the document. List items go by their number, from 0, or by their name.
+void apply_override(Document& root, const std::string& assignment, std::vector<Problem>& problems);
+
+}  // namespace slope::couple

@@ -1,0 +1,185 @@
+#include <fmt/format.h>
+
+#include <numbers>
+
+#include "case_format.hpp"
+
+namespace slope::couple {
+
+namespace {
+
+constexpr auto itself = [](auto& value) -> auto& {
+  return value;
+};
+
+Format<std::variant<solid::NoYield, solid::DruckerPrager>> strength_format() {
+  using solid::DruckerPrager;
+  using Strength = std::variant<solid::NoYield, DruckerPrager>;
+  constexpr double right_angle = std::numbers::pi / 2.0;
+  Record<DruckerPrager> drucker_prager;
+  drucker_prager
+      .required("cohesion", &DruckerPrager::cohesion, quantity(Dimension::pressure, at_least(0.0)),
+                "c', cohesion at zero suction", "1 kPa")
+      .required("friction_angle", &DruckerPrager::friction_angle,
+                quantity(Dimension::angle, from_to_below(0.0, right_angle)), "phi', friction angle at zero suction",
+                "25 deg")
+      .required("dilatancy_angle", &DruckerPrager::dilatancy_angle,
+                quantity(Dimension::angle, from_to_below(0.0, right_angle)), "psi, not above the friction angle",
+                "0 deg")
+      .required("maximum_cohesion_increase", &DruckerPrager::maximum_cohesion_increase,
+                quantity(Dimension::pressure, at_least(0.0)), "largest increase of the cohesion by suction (Eq. 15)",
+                "100 kPa")
+      .required("cohesion_suction_rate", &DruckerPrager::cohesion_suction_rate,
+                quantity(Dimension::number, at_least(0.0)),
+                "B, how fast the cohesion grows with suction over one atmosphere (Eq. 15)", "0.07")
+      .required("friction_angle_suction_rate", &DruckerPrager::friction_angle_suction_rate, quantity(Dimension::angle),
+                "A, increase of the friction angle per atmosphere of suction (Eq. 16)", "0 deg")
+      .check([](const Input& input, DruckerPrager& soil) {
+        if (soil.dilatancy_angle <= soil.friction_angle) return;
+        input.at("dilatancy_angle")
+            .problem(fmt::format("must not exceed the friction angle of {}, got {}",
+                                 quantity_text(soil.friction_angle, Dimension::angle),
+                                 quantity_text(soil.dilatancy_angle, Dimension::angle)));
+      });
+  return Alternatives<Strength>("model")
+      .add("drucker_prager",
+           "Drucker-Prager matched to Mohr-Coulomb in plane strain, stronger with suction (Eqs. 11-16)", itself,
+           drucker_prager)
+      .add("elastic", "the soil never yields", itself, Record<solid::NoYield>())
+      .format();
+}
+
+/// The fields of a law that has a saturation range, and the check that the range is not empty.
+template <class Law>
+Record<Law>& with_range(Record<Law>& law, bool required) {
+  const auto residual = [](auto& curve) -> auto& {
+    return curve.range.residual;
+  };
+  const auto maximum = [](auto& curve) -> auto& {
+    return curve.range.maximum;
+  };
+  const Format<double> lowest = quantity(Dimension::number, from_to_below(0.0, 1.0));
+  const Format<double> highest = quantity(Dimension::number, above_to(0.0, 1.0));
+  if (required) {
+    law.required("residual_saturation", residual, lowest, "degree of saturation that no suction goes below", "0")
+        .required("maximum_saturation", maximum, highest, "degree of saturation at zero suction", "1");
+  } else {
+    law.optional("residual_saturation", residual, lowest, "as in the retention curve, if that is a van Genuchten curve")
+        .optional("maximum_saturation", maximum, highest,
+                  "as in the retention curve, if that is a van Genuchten curve");
+  }
+  return law.check([](const Input& input, Law& curve) {
+    if (curve.range.residual < curve.range.maximum) return;
+    input.at("residual_saturation")
+        .problem(
+            fmt::format("must be below maximum_saturation, {}, got {}", curve.range.maximum, curve.range.residual));
+  });
+}
+
+Format<seepage::Retention> retention_format() {
+  using namespace seepage;
+  Record<VanGenuchten> van_genuchten;
+  van_genuchten
+      .required("alpha", &VanGenuchten::alpha, quantity(Dimension::inverse_length, above(0.0)), "alpha' of Eq. 8",
+                "0.05 1/m")
+      .required("n", &VanGenuchten::n, quantity(Dimension::number, above(1.0)), "n' of Eq. 8", "3");
+  Record<LiakopoulosRetention> liakopoulos;
+  liakopoulos
+      .required("coefficient", &LiakopoulosRetention::coefficient, quantity(Dimension::number, above(0.0)),
+                "a of S_r = 1 - a h^b (Eq. 20), with the suction head h in metres", "0.10152")
+      .required("exponent", &LiakopoulosRetention::exponent, quantity(Dimension::number, above(1.0)), "b of Eq. 20",
+                "2.4279")
+      .optional("floor", &LiakopoulosRetention::floor, quantity(Dimension::number, from_to_below(0.0, 1.0)),
+                "degree of saturation that no suction goes below");
+  Record<ExponentialRetention> exponential;
+  exponential.required("alpha", &ExponentialRetention::alpha, quantity(Dimension::inverse_length, above(0.0)),
+                       "alpha of S_e = exp(-alpha h)", "1 1/m");
+  return Alternatives<Retention>("model")
+      .add("van_genuchten", "S_e = (1 + (alpha h)^n)^-(1 - 1/n), h the suction head", itself,
+           with_range(van_genuchten, true))
+      .add("liakopoulos", "S_r = 1 - a h^b, h the suction head (Eq. 20)", itself, liakopoulos)
+      .add("exponential", "S_e = exp(-alpha h), h the suction head (Gardner)", itself, with_range(exponential, true))
+      .format();
+}
+
+Format<seepage::RelativePermeability> permeability_format() {
+  using namespace seepage;
+  const auto law = [](auto& permeability) -> auto& {
+    return permeability.law;
+  };
+  Record<HillelPower> hillel;
+  hillel.required("exponent", &HillelPower::exponent, quantity(Dimension::number, above(0.0)), "L of Eq. 10", "2");
+  Record<LiakopoulosPermeability> liakopoulos;
+  liakopoulos
+      .required("coefficient", &LiakopoulosPermeability::coefficient, quantity(Dimension::number, above(0.0)),
+                "a of k_rw = 1 - a (1 - S_r)^b (Eq. 21)", "2.207")
+      .required("exponent", &LiakopoulosPermeability::exponent, quantity(Dimension::number, above(0.0)), "b of Eq. 21",
+                "1");
+  Record<ExponentialPermeability> exponential;
+  exponential.required("alpha", &ExponentialPermeability::alpha, quantity(Dimension::inverse_length, above(0.0)),
+                       "alpha of k_rw = exp(-alpha h)", "1 1/m");
+  Record<VanGenuchtenMualem> mualem;
+  mualem.optional("n", &VanGenuchtenMualem::n, quantity(Dimension::number, above(1.0)),
+                  "as in the retention curve, if that is a van Genuchten curve");
+  Record<RelativePermeability> shared;
+  shared.optional("floor", &RelativePermeability::floor, quantity(Dimension::number, between(0.0, 1.0)),
+                  "relative permeability that no suction goes below");
+  return Alternatives<RelativePermeability>("model")
+      .add("hillel", "k_rw = S_r^L (Eq. 10)", law, hillel)
+      .add("liakopoulos", "k_rw = 1 - a (1 - S_r)^b (Eq. 21)", law, liakopoulos)
+      .add("exponential", "k_rw = exp(-alpha h), h the suction head (Gardner)", law, exponential)
+      .add("van_genuchten_mualem", "k_rw = sqrt(S_e) (1 - (1 - S_e^(1/m))^m)^2, m = 1 - 1/n", law,
+           with_range(mualem, false))
+      .shared(shared)
+      .format();
+}
+
+/// Takes what the Mualem law leaves open from the retention curve.
+void complete_mualem(const Input& input, Soil& soil) {
+  auto* mualem = std::get_if<seepage::VanGenuchtenMualem>(&soil.seepage.relative_permeability.law);
+  if (mualem == nullptr) return;
+  const Input place = input.at("relative_permeability");
+  const auto* retention = std::get_if<seepage::VanGenuchten>(&soil.seepage.retention);
+  if (retention != nullptr) {
+    if (!place.has("n")) mualem->n = retention->n;
+    if (!place.has("residual_saturation")) mualem->range.residual = retention->range.residual;
+    if (!place.has("maximum_saturation")) mualem->range.maximum = retention->range.maximum;
+  } else if (!place.has("n")) {
+    place.problem_with(
+        "n", "missing; the retention curve is no van Genuchten curve to take it from; write for example \"n: 3\"");
+  }
+}
+
+}  // namespace
+
+Format<Soil> soil_format() {
+  return Record<Soil>()
+      .required(
+          "youngs_modulus", [](auto& soil) -> auto& { return soil.solid.elastic.youngs_modulus; },
+          quantity(Dimension::pressure, above(0.0)), "E, of the skeleton", "10 MPa")
+      .required(
+          "poissons_ratio", [](auto& soil) -> auto& { return soil.solid.elastic.poissons_ratio; },
+          quantity(Dimension::number, between(-1.0, 0.5)), "nu, of the skeleton", "0.33")
+      .required("porosity", &Soil::porosity, quantity(Dimension::number, between(0.0, 1.0)), "n at the start", "0.35")
+      .required(
+          "grain_density", [](auto& soil) -> auto& { return soil.solid.grain_density; },
+          quantity(Dimension::density, above(0.0)), "rho_s", "2700 kg/m3")
+      .required(
+          "strength", [](auto& soil) -> auto& { return soil.solid.strength; }, strength_format(),
+          "when the skeleton yields", "{model: elastic}")
+      .required(
+          "hydraulic_conductivity", [](auto& soil) -> auto& { return soil.seepage.hydraulic_conductivity; },
+          quantity(Dimension::velocity, above(0.0)), "k, of the saturated soil", "1e-5 m/s")
+      .required(
+          "retention", [](auto& soil) -> auto& { return soil.seepage.retention; }, retention_format(),
+          "degree of saturation against suction",
+          "{model: van_genuchten, alpha: 0.05 1/m, n: 3, residual_saturation: 0, maximum_saturation: 1}")
+      .required(
+          "relative_permeability", [](auto& soil) -> auto& { return soil.seepage.relative_permeability; },
+          permeability_format(), "share of the conductivity that is left in unsaturated soil",
+          "{model: hillel, exponent: 2}")
+      .check(complete_mualem)
+      .format();
+}
+
+}  // namespace slope::couple

@@ -1,0 +1,168 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <yaml-cpp/yaml.h>
+
+#include <algorithm>
+#include <charconv>
+
+#include "input.hpp"
+#include "suggestion.hpp"
+
+namespace slope::couple {
+
+namespace {
+
+constexpr int deepest_nesting = 30;
+
+/// Turns yaml-cpp's nodes into documents and notes what a case file cannot hold.
+class Converter {
+ public:
+  Converter(const std::string& file, std::vector<Problem>& problems) : file_(file), problems_(problems) {}
+
+  Document convert(const YAML::Node& node, const std::string& path, int line, int depth = 0) {
+    Document document;
+    document.line = node.Mark().is_null() ? line : node.Mark().line + 1;
+    if (depth > deepest_nesting) {
+      problems_.push_back({file_, document.line, path, "nested too deeply for a case file"});
+      return document;
+    }
+    if (node.IsScalar()) {
+      document.kind = Document::Kind::value;
+      document.value = node.Scalar();
+      document.quoted = node.Tag() == "!";
+    } else if (node.IsSequence()) {
+      document.kind = Document::Kind::list;
+      for (const YAML::Node& item : node) {
+        const std::string item_path = fmt::format("{}.{}", path, document.children.size());
+        document.children.push_back(convert(item, item_path, document.line, depth + 1));
+      }
+    } else if (node.IsMap()) {
+      document.kind = Document::Kind::map;
+      for (const auto& entry : node) add_entry(document, entry.first, entry.second, path, depth);
+    }
+    return document;
+  }
+
+ private:
+  void add_entry(Document& map, const YAML::Node& key, const YAML::Node& value, const std::string& path, int depth) {
+    const int line = key.Mark().line + 1;
+    if (!key.IsScalar()) {
+      problems_.push_back({file_, line, path, "a key must be a single word"});
+      return;
+    }
+    const std::string name = key.Scalar();
+    const std::string entry_path = path.empty() ? name : fmt::format("{}.{}", path, name);
+    if (const Document* first = map.find(name)) {
+      problems_.push_back(
+          {file_, line, entry_path, fmt::format("given twice, first in line {}; keep one", first->line)});
+      return;
+    }
+    Document entry = convert(value, entry_path, line, depth + 1);
+    entry.line = line;
+    entry.key = name;
+    map.children.push_back(std::move(entry));
+  }
+
+  const std::string& file_;
+  std::vector<Problem>& problems_;
+};
+
+void mark_as_override(Document& document) {
+  document.from_override = true;
+  document.line = 0;
+  for (Document& child : document.children) mark_as_override(child);
+}
+
+std::vector<std::string> split(const std::string& path) {
+  std::vector<std::string> words(1);
+  for (const char c : path) {
+    if (c == '.') {
+      words.emplace_back();
+    } else {
+      words.back() += c;
+    }
+  }
+  return words;
+}
+
+/// The item of a list that goes by that number or name; nullptr if there is none.
+Document* find_item(Document& list, const std::string& word) {
+  std::size_t index = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), index);
+  if (error == std::errc() && end == word.data() + word.size()) {
+    return index < list.children.size() ? &list.children[index] : nullptr;
+  }
+  const auto found = std::find_if(list.children.begin(), list.children.end(), [&](const Document& item) {
+    const Document* name = item.find("name");
+    return name != nullptr && name->value == word;
+  });
+  return found == list.children.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+Document parse_yaml(const std::string& text, const std::string& file, std::vector<Problem>& problems) {
+  try {
+    const std::vector<YAML::Node> documents = YAML::LoadAll(text);
+    if (documents.empty() || documents.front().IsNull()) {
+      problems.push_back({file, 0, "", "the file is empty"});
+      return {};
+    }
+    if (documents.size() > 1) {
+      problems.push_back(
+          {file, documents[1].Mark().line + 1, "", "a second YAML document begins here; a case is one document"});
+      return {};
+    }
+    return Converter(file, problems).convert(documents.front(), "", 1);
+  } catch (const YAML::Exception& error) {
+    problems.push_back({file, error.mark.line + 1, "", fmt::format("not YAML: {}", error.msg)});
+    return {};
+  }
+}
+
+void apply_override(Document& root, const std::string& assignment, std::vector<Problem>& problems) {
+  const auto report = [&](const std::string& key, std::string message) {
+    problems.push_back({"--set", 0, key, std::move(message)});
+  };
+  const std::size_t equals = assignment.find('=');
+  const std::vector<std::string> words = split(assignment.substr(0, equals));
+  const bool nameless = std::any_of(words.begin(), words.end(), [](const std::string& word) { return word.empty(); });
+  if (equals == std::string::npos || nameless) {
+    report("", fmt::format("expected key=value, such as \"stop.time=10 min\", got \"{}\"", assignment));
+    return;
+  }
+  std::vector<Problem> found;
+  Document value = parse_yaml(assignment.substr(equals + 1), "--set", found);
+  mark_as_override(value);
+  const std::string path = assignment.substr(0, equals);
+  for (const Problem& problem : found) report(path, problem.message);
+  if (!found.empty()) return;
+
+  Document* at = &root;
+  std::string reached;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const std::string here = reached;
+    reached += (i > 0 ? "." : "") + words[i];
+    if (at->kind == Document::Kind::list) {
+      at = find_item(*at, words[i]);
+      if (at == nullptr) {
+        report(reached, fmt::format("{} has no item of that number or name", here));
+        return;
+      }
+    } else if (at->kind == Document::Kind::map) {
+      if (at->find(words[i]) == nullptr) {
+        Document added = Document::map();
+        mark_as_override(added);
+        at->set(words[i], std::move(added));
+      }
+      at = at->find(words[i]);
+    } else {
+      report(reached, fmt::format("{} is a value and has no keys", here.empty() ? "the file" : here));
+      return;
+    }
+  }
+  value.key = at->key;
+  *at = std::move(value);
+}
+
+}  // namespace slope::couple
