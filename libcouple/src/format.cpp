@@ -10,6 +10,9 @@ namespace slope::couple {
 
 namespace {
 
+/// A value longer than this is not repeated in a message.
+constexpr std::size_t longest_shown = 60;
+
 Document schema_of_type(const std::string& type) {
   Document schema = Document::map();
   schema.set("type", Document::text(type));
@@ -123,7 +126,7 @@ Format<std::array<double, 2>> pair_of(Dimension dimension) {
     if (node.kind != Document::Kind::list || node.children.size() != 2) {
       input.problem(fmt::format(
           "expected [x, y], two {}s, got {}", name_of(dimension),
-          node.kind == Document::Kind::list ? fmt::format("{} values", node.children.size()) : kind_of(node)));
+          node.kind == Document::Kind::list ? fmt::format("a list of {}", node.children.size()) : kind_of(node)));
       return;
     }
     for (std::size_t i = 0; i < 2; ++i) one.read(input.item(i), value[i]);
@@ -161,16 +164,19 @@ Document choice_schema(const std::vector<Document>& values) {
   return schema.set("enum", Document::list(values));
 }
 
-void report_missing(const Input& map, const FieldHead& field) {
-  map.problem_with(field.name, fmt::format("missing; write for example \"{}: {}\"", field.name, field.example));
-}
-
-void report_unknown_keys(const Input& map, const std::vector<FieldHead>& fields) {
+void report_keys(const Input& map, const std::vector<FieldHead>& fields) {
   std::vector<std::string> known;
   for (const FieldHead& field : fields) known.push_back(field.name);
+  std::vector<std::string> misspelt;
   for (const Document& entry : map.node().children) {
     if (std::find(known.begin(), known.end(), entry.key) != known.end()) continue;
     map.at(entry.key).problem("unknown key" + suggestion(entry.key, known));
+    misspelt.push_back(closest_word(entry.key, known).value_or(""));
+  }
+  for (const FieldHead& field : fields) {
+    if (!field.required || map.has(field.name)) continue;
+    if (std::find(misspelt.begin(), misspelt.end(), field.name) != misspelt.end()) continue;
+    map.problem_with(field.name, fmt::format("missing; write for example \"{}: {}\"", field.name, field.example));
   }
 }
 

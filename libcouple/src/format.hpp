@@ -48,8 +48,8 @@ struct FieldHead {
 [[nodiscard]] Document described(Document schema, const std::string& description);
 [[nodiscard]] Document object_schema(const std::vector<FieldHead>& fields);
 [[nodiscard]] Document choice_schema(const std::vector<Document>& values);
-void report_missing(const Input& map, const FieldHead& field);
-void report_unknown_keys(const Input& map, const std::vector<FieldHead>& fields);
+/// Reports the keys that no field has, and the required fields that are not there; of a misspelt one only the former.
+void report_keys(const Input& map, const std::vector<FieldHead>& fields);
 [[nodiscard]] bool expect_list(const Input& input, std::size_t least_items);
 [[nodiscard]] bool expect_map(const Input& input, std::size_t least_entries);
 /// The text of a value; none, and a problem, if it is a list or a map.
@@ -73,11 +73,7 @@ std::vector<FieldHead> heads_of(const std::vector<Field<T>>& fields) {
 template <class T>
 void read_fields(const Input& input, const std::vector<Field<T>>& fields, T& value) {
   for (const Field<T>& field : fields) {
-    if (input.has(field.head.name)) {
-      field.read(input.at(field.head.name), value);
-    } else if (field.head.required) {
-      report_missing(input, field.head);
-    }
+    if (input.has(field.head.name)) field.read(input.at(field.head.name), value);
   }
 }
 
@@ -129,7 +125,7 @@ class Record {
       if (!expect_map(input, 0)) return;
       const std::size_t before = input.problem_count();
       read_fields(input, fields_, value);
-      report_unknown_keys(input, heads_of(fields_));
+      report_keys(input, heads_of(fields_));
       if (check_ && input.problem_count() == before) check_(input, value);
     };
     const auto write = [*this](const T& value) {
@@ -237,7 +233,7 @@ class Alternatives {
       const std::size_t before = input.problem_count();
       alternative.select(value);
       read_fields(input, alternative.fields, value);
-      report_unknown_keys(input, heads(alternative));
+      report_keys(input, heads(alternative));
       if (alternative.check && input.problem_count() == before) alternative.check(input, value);
       return;
     }

@@ -9,10 +9,6 @@ namespace slope::couple {
 
 namespace {
 
-std::string joined(const std::string& key, std::string_view name) {
-  return key.empty() ? std::string(name) : fmt::format("{}.{}", key, name);
-}
-
 std::string all_texts(const std::vector<Problem>& problems) {
   std::string out;
   for (const Problem& problem : problems) out += (out.empty() ? "" : "\n") + problem.text();
@@ -20,6 +16,10 @@ std::string all_texts(const std::vector<Problem>& problems) {
 }
 
 }  // namespace
+
+std::string joined_key(const std::string& parent, std::string_view name) {
+  return parent.empty() ? std::string(name) : fmt::format("{}.{}", parent, name);
+}
 
 std::string Problem::text() const {
   std::string out = file;
@@ -43,7 +43,7 @@ void Input::problem(std::string message) const {
 }
 
 void Input::problem_with(std::string_view name, std::string message) const {
-  Input(*this, *node_, joined(key_, name)).problem(std::move(message));
+  Input(*this, *node_, joined_key(key_, name)).problem(std::move(message));
 }
 
 bool Input::clean(std::string_view key) const {
@@ -54,14 +54,14 @@ bool Input::clean(std::string_view key) const {
 
 Input Input::at(std::string_view name) const {
   const Document* entry = node_->find(name);
-  return entry == nullptr ? *this : Input(*this, *entry, joined(key_, name));
+  return entry == nullptr ? *this : Input(*this, *entry, joined_key(key_, name));
 }
 
 Input Input::item(std::size_t index) const {
   const Document& node = node_->children.at(index);
   const Document* name = node.find("name");
   const bool named = name != nullptr && name->kind == Document::Kind::value;
-  return Input(*this, node, joined(key_, named ? name->value : std::to_string(index)));
+  return Input(*this, node, joined_key(key_, named ? name->value : std::to_string(index)));
 }
 
 }  // namespace slope::couple

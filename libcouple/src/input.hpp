@@ -41,6 +41,9 @@ class Input {
   std::vector<Problem>* problems_;
 };
 
+/// The dotted key of an entry of a map, or of an item of a list.
+[[nodiscard]] std::string joined_key(const std::string& parent, std::string_view name);
+
 /// Reads YAML text into a document, every node with its line.
 /// Text that is not YAML, duplicate keys and more than one document are put into the list of problems.
 [[nodiscard]] Document parse_yaml(const std::string& text, const std::string& file, std::vector<Problem>& problems);

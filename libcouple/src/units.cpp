@@ -106,8 +106,7 @@ const Unit* find_unit(std::string_view name) {
 }
 
 std::string with_article(std::string_view noun) {
-  return fmt::format("{} {}", std::string_view("aeiou").find(noun.front()) == std::string_view::npos ? "a" : "an",
-                     noun);
+  return fmt::format("{} {}", std::string_view("aeio").find(noun.front()) == std::string_view::npos ? "a" : "an", noun);
 }
 
 /// 'a pressure with its unit, such as "10 kPa" (Pa, kPa, …)'

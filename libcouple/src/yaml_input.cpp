@@ -14,6 +14,11 @@ namespace {
 
 constexpr int deepest_nesting = 30;
 
+/// The file nests deeper than any case does; an anchor that holds itself has no end.
+struct TooDeep {
+  int line;
+};
+
 /// Turns yaml-cpp's nodes into documents and notes what a case file cannot hold.
 class Converter {
  public:
@@ -22,10 +27,7 @@ class Converter {
   Document convert(const YAML::Node& node, const std::string& path, int line, int depth = 0) {
     Document document;
     document.line = node.Mark().is_null() ? line : node.Mark().line + 1;
-    if (depth > deepest_nesting) {
-      problems_.push_back({file_, document.line, path, "nested too deeply for a case file"});
-      return document;
-    }
+    if (depth > deepest_nesting) throw TooDeep{document.line};
     if (node.IsScalar()) {
       document.kind = Document::Kind::value;
       document.value = node.Scalar();
@@ -33,7 +35,7 @@ class Converter {
     } else if (node.IsSequence()) {
       document.kind = Document::Kind::list;
       for (const YAML::Node& item : node) {
-        const std::string item_path = fmt::format("{}.{}", path, document.children.size());
+        const std::string item_path = joined_key(path, std::to_string(document.children.size()));
         document.children.push_back(convert(item, item_path, document.line, depth + 1));
       }
     } else if (node.IsMap()) {
@@ -51,7 +53,7 @@ class Converter {
       return;
     }
     const std::string name = key.Scalar();
-    const std::string entry_path = path.empty() ? name : fmt::format("{}.{}", path, name);
+    const std::string entry_path = joined_key(path, name);
     if (const Document* first = map.find(name)) {
       problems_.push_back(
           {file_, line, entry_path, fmt::format("given twice, first in line {}; keep one", first->line)});
@@ -102,6 +104,10 @@ Document* find_item(Document& list, const std::string& word) {
 }  // namespace
 
 Document parse_yaml(const std::string& text, const std::string& file, std::vector<Problem>& problems) {
+  if (text.find('\0') != std::string::npos) {
+    problems.push_back({file, 0, "", "not YAML: it has bytes that no text has"});
+    return {};
+  }
   try {
     const std::vector<YAML::Node> documents = YAML::LoadAll(text);
     if (documents.empty() || documents.front().IsNull()) {
@@ -114,6 +120,9 @@ Document parse_yaml(const std::string& text, const std::string& file, std::vecto
       return {};
     }
     return Converter(file, problems).convert(documents.front(), "", 1);
+  } catch (const TooDeep& place) {
+    problems.push_back({file, place.line, "", "nested too deeply for a case file"});
+    return {};
   } catch (const YAML::Exception& error) {
     problems.push_back({file, error.mark.line + 1, "", fmt::format("not YAML: {}", error.msg)});
     return {};
@@ -127,7 +136,7 @@ void apply_override(Document& root, const std::string& assignment, std::vector<P
   const std::size_t equals = assignment.find('=');
   const std::vector<std::string> words = split(assignment.substr(0, equals));
   const bool nameless = std::any_of(words.begin(), words.end(), [](const std::string& word) { return word.empty(); });
-  if (equals == std::string::npos || nameless) {
+  if (equals == std::string::npos || equals + 1 == assignment.size() || nameless) {
     report("", fmt::format("expected key=value, such as \"stop.time=10 min\", got \"{}\"", assignment));
     return;
   }
