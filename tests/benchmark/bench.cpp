@@ -104,7 +104,7 @@ void solid_step(benchmark::State& state) {
   auto solid = block.solid(static_cast<int>(state.range(1)));
   const double step = solid.stable_step(0.25, {});
   const std::vector<double> pressure_change(block.x.size(), 0.0);
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     solid.predict(step, {block.pressure, {}}, {}, 2.0);
     solid.correct(step, pressure_change);
     solid.advance(step, {});
@@ -122,7 +122,7 @@ void pressure_step(benchmark::State& state) {
   solid.predict(step, {flow.pore_stress(), {}}, {}, 0.0);
   solid.volumetric_strain(step, strain);
   double iterations = 0.0;
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     flow.follow(block.skeleton());
     iterations += flow.solve(step, block.skeleton(), strain, {}, GridResponse{solid, step}, 1.0e-2).iterations;
     flow.finish(step, block.skeleton(), {});
@@ -134,7 +134,7 @@ BENCHMARK(pressure_step)->Apply(sizes_and_threads);
 
 void neighbour_search(benchmark::State& state) {
   const Block block(static_cast<std::size_t>(state.range(0)));
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     auto found =
         slope::seepage::find_neighbours(block.x, block.y, 2.4 * block.spacing, static_cast<int>(state.range(1)));
     benchmark::DoNotOptimize(found.index.data());
@@ -162,7 +162,7 @@ void plain_grid_transfer(benchmark::State& state) {
       for (std::size_t i = 0; i < 3; ++i) act(nodes.data() + 3 * (first + j * row + i), wx[i] * wy[j]);
     }
   };
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     std::fill(nodes.begin(), nodes.end(), 0.0);
     for (std::size_t p = 0; p < n; ++p) {
       visit(p, [&](double* node, double weight) {
@@ -193,7 +193,7 @@ void plain_neighbour_sum(benchmark::State& state) {
   const auto neighbours = slope::seepage::find_neighbours(block.x, block.y, 2.4 * block.spacing);
   const std::vector<double> conductance(neighbours.index.size(), 1.0);
   std::vector<double> outflow(block.x.size());
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     for (std::size_t p = 0; p < outflow.size(); ++p) {
       double sum = 0.0;
       for (std::size_t k = neighbours.start[p]; k < neighbours.start[p + 1]; ++k) {
