@@ -98,6 +98,7 @@ struct Summary {
   double largest_displacement = 0.0;    ///< (m)
   double pressure_checkerboard = 0.0;   ///< largest over the run, of the measure defined in README (-)
   double initial_head_flux = 0.0;       ///< largest Darcy flux of the head operator before the rain, over k (-)
+  double initial_unbalanced_ratio = 0.0;  ///< unbalanced over gravity forces left by the initial state (-)
   std::size_t particles = 0;
   std::size_t steps = 0;
   double mean_pressure_iterations = 0.0;
@@ -107,6 +108,7 @@ struct Summary {
 struct Event {
   bool history = false;   ///< a history row is due: ask history_row()
   bool snapshot = false;  ///< a particle file is due: ask particles()
+  std::string label;      ///< of the snapshot: "onset", "end", or empty
   bool finished = false;  ///< the run is over
 };
 

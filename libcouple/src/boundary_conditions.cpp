@@ -1,0 +1,101 @@
+#include "boundary_conditions.hpp"
+
+#include <algorithm>
+#include <cstdint>
+
+namespace slope::couple {
+
+namespace {
+
+// Share of a ramp that is over (-), in [0, 1].
+double ramp_share(double time, double start, double ramp) {
+  return ramp > 0.0 ? std::clamp((time - start) / ramp, 0.0, 1.0) : 1.0;
+}
+
+// Height of a place's faces above their particles, in spacings.
+double face_rise(Place place) {
+  switch (place) {
+    case Place::ground_surface: return 0.5;
+    case Place::base: return -0.5;
+    case Place::left:
+    case Place::right: return 0.0;
+  }
+  return 0.0;
+}
+
+}  // namespace
+
+BoundaryConditions::BoundaryConditions(const Case& input, const InitialParticles& particles)
+    : water_(input.water_boundaries), tractions_(input.tractions), spacing_(particles.spacing) {
+  const auto add_times = [this](double start, double ramp) {
+    change_times_.push_back(start);
+    if (ramp > 0.0) change_times_.push_back(start + ramp);
+  };
+  for (const WaterBoundary& boundary : water_) {
+    water_particles_.push_back(particles_at(boundary.where, particles));
+    names_.push_back(boundary.name);
+    add_times(boundary.start, boundary.ramp);
+  }
+  for (const Traction& traction : tractions_) {
+    traction_particles_.push_back(particles_at(traction.where, particles));
+    add_times(traction.start, traction.ramp);
+  }
+  std::ranges::sort(change_times_);
+  const auto repeated = std::ranges::unique(change_times_);
+  change_times_.erase(repeated.begin(), repeated.end());
+  first_pressure_.assign(particles.x.size(), 0.0);
+}
+
+void BoundaryConditions::apply(double time, const Mixture& mixture, Actions& actions) const {
+  actions.water.held.clear();
+  actions.water.faces.clear();
+  actions.water.inflows.clear();
+  actions.water.count = water_.size();
+  actions.tractions.clear();
+  for (std::size_t b = 0; b < water_.size(); ++b) {
+    if (time >= water_[b].start) add_water(b, ramp_share(time, water_[b].start, water_[b].ramp), mixture, actions);
+  }
+  for (std::size_t k = 0; k < tractions_.size(); ++k) {
+    const Traction& traction = tractions_[k];
+    if (time < traction.start) continue;
+    const double share = ramp_share(time, traction.start, traction.ramp);
+    for (const std::size_t p : traction_particles_[k]) {
+      actions.tractions.push_back({p, share * traction.traction[0], share * traction.traction[1]});
+    }
+  }
+}
+
+void BoundaryConditions::apply_initial(const Mixture& mixture, Actions& actions) const {
+  actions = {};
+  actions.water.count = water_.size();
+  for (std::size_t b = 0; b < water_.size(); ++b) {
+    if (water_[b].initial) add_water(b, 1.0, mixture, actions);
+  }
+}
+
+void BoundaryConditions::add_water(std::size_t boundary, double share, const Mixture& mixture,
+                                   Actions& actions) const {
+  const WaterBoundary& condition = water_[boundary];
+  const auto index = static_cast<std::uint32_t>(boundary);
+  const double unit_weight = mixture.water.water().unit_weight();
+  const double rise = face_rise(condition.where.place) * spacing_;
+  for (const std::size_t p : water_particles_[boundary]) {
+    const auto particle = static_cast<std::uint32_t>(p);
+    if (const auto* flux = std::get_if<PrescribedFlux>(&condition.condition)) {
+      actions.water.inflows.push_back({particle, index, share * flux->flux * spacing_});
+      continue;
+    }
+    const auto& held = std::get<PrescribedPressure>(condition.condition);
+    const double height = mixture.soil.particles().y[p] + (held.at_face ? rise : 0.0);
+    const double full = held.total_head ? unit_weight * (*held.total_head - height) : held.pressure;
+    const double start = first_pressure_[p] - (held.at_face ? unit_weight * rise : 0.0);
+    const double pressure = start + share * (full - start);
+    if (held.at_face) {
+      actions.water.faces.push_back({particle, index, pressure, rise, 0.5 * spacing_, spacing_});
+    } else {
+      actions.water.held.push_back({particle, index, pressure});
+    }
+  }
+}
+
+}  // namespace slope::couple

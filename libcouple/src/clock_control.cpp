@@ -1,0 +1,71 @@
+#include "clock_control.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace slope::couple {
+
+namespace {
+
+constexpr int block_steps = 20;    // between two judgements of the factor
+constexpr double growth = 1.15;    // of the factor in a quiet block
+constexpr double shrinkage = 0.7;  // of the factor in a lively one
+
+}  // namespace
+
+ClockControl::ClockControl(const Clock& limits, const SlopeScale& scale, std::vector<double> change_times)
+    : limits_(limits), scale_(scale), change_times_(std::move(change_times)) {}
+
+double ClockControl::factor(double time, double next, double time_step) const {
+  double factor = factor_;
+  if (limits_.adaptive) {
+    double since = time;
+    for (const double change : change_times_) {
+      if (change <= time) since = time - change;
+    }
+    factor = std::min(factor, std::max(1.0, limits_.change_fraction * since / scale_.period()));
+  }
+  const double steps = std::ceil((next - time) / (factor * time_step) * (1.0 - 1.0e-12));
+  return (next - time) / (std::max(steps, 1.0) * time_step);
+}
+
+double ClockControl::next_change(double time) const {
+  const auto next = std::ranges::upper_bound(change_times_, time);
+  return next == change_times_.end() ? never : *next;
+}
+
+void ClockControl::observe(double time_step, std::span<const double> ux, std::span<const double> uy,
+                           std::span<const double> pressure) {
+  if (!limits_.adaptive) return;
+  const auto begin_block = [&] {
+    ux_.assign(ux.begin(), ux.end());
+    uy_.assign(uy.begin(), uy.end());
+    pressure_.assign(pressure.begin(), pressure.end());
+    block_time_ = 0.0;
+    steps_ = 0;
+  };
+  if (ux_.empty()) {
+    begin_block();
+    return;
+  }
+  block_time_ += time_step;
+  if (++steps_ < block_steps) return;
+  double farthest = 0.0, pressure_change = 0.0;
+  for (std::size_t p = 0; p < ux.size(); ++p) {
+    const double dx = ux[p] - ux_[p], dy = uy[p] - uy_[p];
+    farthest = std::max(farthest, dx * dx + dy * dy);
+    pressure_change = std::max(pressure_change, std::abs(pressure[p] - pressure_[p]));
+  }
+  // the stress rho c v that a velocity brings into play, over the overburden rho g H
+  const double inertia = scale_.wave_speed * std::sqrt(farthest) / block_time_ / (scale_.gravity * scale_.height);
+  const double pressure_ratio = pressure_change / scale_.overburden;
+  if (inertia > limits_.inertia_limit || pressure_ratio > 2.0 * limits_.inertia_limit) {
+    factor_ *= shrinkage;
+  } else if (inertia < 0.5 * limits_.inertia_limit && pressure_ratio < limits_.inertia_limit) {
+    factor_ *= growth;
+  }
+  factor_ = std::clamp(factor_, 1.0, limits_.maximum_factor);
+  begin_block();
+}
+
+}  // namespace slope::couple

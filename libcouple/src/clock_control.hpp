@@ -1,0 +1,47 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "slope/couple/case.hpp"
+
+namespace slope::couple {
+
+/// What the clock measures motion and pressure against.
+struct SlopeScale {
+  double height = 0.0;      ///< of the soil (m)
+  double wave_speed = 0.0;  ///< drained P-wave (m/s)
+  double overburden = 0.0;  ///< rho g H (Pa)
+  double gravity = 0.0;     ///< (m/s2)
+
+  [[nodiscard]] double period() const { return 4.0 * height / wave_speed; }  ///< first period of a layer (s)
+};
+
+/// Chooses the clock factor Theta: how much faster than the soil's own time the water's time runs. Theta is the same as
+/// scaling the soil's mass by Theta^2 in physical time; it grows while inertia does not matter and falls to one, real
+/// time, when it does.
+class ClockControl {
+ public:
+  ClockControl(const Clock& limits, const SlopeScale& scale, std::vector<double> change_times);
+
+  /// Factor for a step that starts at `time` and must not pass `next` (s): the steps up to `next` are equal.
+  [[nodiscard]] double factor(double time, double next, double time_step) const;
+  /// Takes note of a step done; every block of steps the factor is judged anew.
+  void observe(double time_step, std::span<const double> ux, std::span<const double> uy,
+               std::span<const double> pressure);
+  /// Mass-proportional damping (1/s): one over the first period while time runs faster than real, else none.
+  [[nodiscard]] double damping(double factor) const { return factor > 1.0 ? 1.0 / scale_.period() : 0.0; }
+  /// The time of the next change of the boundary conditions after `time` (s).
+  [[nodiscard]] double next_change(double time) const;
+
+ private:
+  Clock limits_;
+  SlopeScale scale_;
+  std::vector<double> change_times_;
+  double factor_ = 1.0;
+  int steps_ = 0;
+  double block_time_ = 0.0;
+  std::vector<double> ux_, uy_, pressure_;  // at the start of the block
+};
+
+}  // namespace slope::couple

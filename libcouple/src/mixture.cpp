@@ -1,0 +1,93 @@
+#include "mixture.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace slope::couple {
+
+namespace {
+
+std::vector<std::uint16_t> soil_indices(const InitialParticles& particles) {
+  return {particles.soil.begin(), particles.soil.end()};
+}
+
+solid::MaterialPointMethod make_soil(const Case& input, const InitialParticles& particles, int threads) {
+  const auto wall = [](Wall w) { return static_cast<solid::Wall>(w); };
+  solid::Grid grid;
+  grid.lower = input.domain.lower;
+  grid.cell_size = input.domain.cell_size;
+  grid.columns = static_cast<int>(std::lround((input.domain.upper[0] - input.domain.lower[0]) / grid.cell_size));
+  grid.rows = static_cast<int>(std::lround((input.domain.upper[1] - input.domain.lower[1]) / grid.cell_size));
+  grid.walls = {wall(input.walls.left), wall(input.walls.right), wall(input.walls.base)};
+  std::vector<solid::Soil> soils;
+  std::vector<double> grain_density, porosity;
+  for (const Soil& soil : input.soils) {
+    soils.push_back(soil.solid);
+    grain_density.push_back(soil.solid.grain_density);
+  }
+  for (const int soil : particles.soil) porosity.push_back(input.soils[static_cast<std::size_t>(soil)].porosity);
+  solid::Settings settings;
+  settings.shape_function = input.numerics.shape_function == ShapeFunction::linear
+                                ? solid::ShapeFunction::linear
+                                : solid::ShapeFunction::quadratic_bspline;
+  settings.flip_fraction = input.numerics.flip_fraction.value_or(-1.0);
+  settings.gravity = input.gravity;
+  settings.particle_spacing = particles.spacing;
+  settings.threads = threads;
+  const std::vector<std::uint16_t> soil = soil_indices(particles);
+  return {grid, std::move(soils),
+          solid::Particles::at(particles.x, particles.y, particles.volume, porosity, soil, grain_density), settings};
+}
+
+seepage::PoreFlow make_water(const Case& input, const InitialParticles& particles, std::span<const double> pressure,
+                             const seepage::Skeleton& skeleton, int threads) {
+  std::vector<seepage::Soil> soils;
+  for (const Soil& soil : input.soils) soils.push_back(soil.seepage);
+  seepage::FlowSettings settings;
+  settings.spacing = particles.spacing;
+  settings.smoothing_ratio = input.numerics.smoothing_length;
+  settings.threads = threads;
+  if (input.walls.left != Wall::free) settings.walls.left = input.domain.lower[0];
+  if (input.walls.right != Wall::free) settings.walls.right = input.domain.upper[0];
+  if (input.walls.base != Wall::free) settings.walls.base = input.domain.lower[1];
+  seepage::Water water = input.water;
+  water.gravity = input.gravity;
+  return {std::move(soils), water, soil_indices(particles), pressure, skeleton, settings};
+}
+
+seepage::Skeleton view(const solid::Particles& p) { return {p.x, p.y, p.volume, p.porosity}; }
+
+}  // namespace
+
+Mixture::Mixture(const Case& input, const InitialParticles& particles, std::span<const double> pressure, int threads)
+    : soil(make_soil(input, particles, threads)),
+      water(make_water(input, particles, pressure, view(soil.particles()), threads)),
+      rigid_(input.skeleton == Skeleton::rigid),
+      saturated_density_(input.mixture_density == MixtureDensity::saturated),
+      water_mass_(particles.x.size()) {
+  if (rigid_) {
+    first_volume_ = soil.particles().volume;
+    first_porosity_ = soil.particles().porosity;
+  }
+  weigh_water();
+}
+
+seepage::Skeleton Mixture::skeleton() const {
+  seepage::Skeleton skeleton = view(soil.particles());
+  if (rigid_) {
+    skeleton.volume = first_volume_;
+    skeleton.porosity = first_porosity_;
+  }
+  return skeleton;
+}
+
+void Mixture::weigh_water() {
+  const solid::Particles& p = soil.particles();
+  const std::span<const double> saturation = water.saturation();
+  const double density = water.water().density;
+  for (std::size_t i = 0; i < water_mass_.size(); ++i) {
+    water_mass_[i] = density * p.porosity[i] * (saturated_density_ ? 1.0 : saturation[i]) * p.volume[i];
+  }
+}
+
+}  // namespace slope::couple

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "slope/couple/case.hpp"
+#include "slope/couple/geometry.hpp"
+#include "slope/seepage/pore_flow.hpp"
+#include "slope/solid/material_point_method.hpp"
+
+namespace slope::couple {
+
+/// One set of particles with both solvers on it: what each of them sees of the other. Index p is the same material point
+/// in both.
+class Mixture {
+ public:
+  Mixture(const Case& input, const InitialParticles& particles, std::span<const double> pressure, int threads);
+
+  solid::MaterialPointMethod soil;
+  seepage::PoreFlow water;
+
+  /// What the water sees of the soil. A rigid skeleton keeps its first volumes and porosities.
+  [[nodiscard]] seepage::Skeleton skeleton() const;
+  /// What the soil sees of the water.
+  [[nodiscard]] solid::PoreState pore_state() const { return {water.pore_stress(), water_mass_}; }
+  [[nodiscard]] std::span<const double> water_mass() const { return water_mass_; }
+  /// Works the mass of the water anew from porosity, saturation and volume.
+  void weigh_water();
+  [[nodiscard]] bool rigid() const { return rigid_; }
+
+ private:
+  bool rigid_;
+  bool saturated_density_;
+  std::vector<double> first_volume_, first_porosity_;  // kept for a rigid skeleton
+  std::vector<double> water_mass_;
+};
+
+}  // namespace slope::couple

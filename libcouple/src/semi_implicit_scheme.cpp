@@ -1,0 +1,40 @@
+#include "semi_implicit_scheme.hpp"
+
+#include "skeleton_response.hpp"
+
+namespace slope::couple {
+
+seepage::SolveReport SemiImplicitScheme::step(Mixture& mixture, const Actions& actions, double time_step,
+                                              double clock_factor, double damping) {
+  solid::MaterialPointMethod& soil = mixture.soil;
+  seepage::PoreFlow& water = mixture.water;
+  const double water_step = clock_factor * time_step;
+  seepage::SolveReport report;
+  strain_.assign(soil.particles().size(), 0.0);
+
+  // Predict: the soil's motion with the old pore pressure (Eq. 17), and the volume change that it brings.
+  soil.predict(time_step, mixture.pore_state(), actions.tractions, damping);
+
+  // Respond: the pressure for which flow, storage and volume change balance (Eqs. 4-7), the soil yielding to it.
+  water.follow(mixture.skeleton());
+  if (mixture.rigid()) {
+    report = water.solve(water_step, mixture.skeleton(), strain_, actions.water, seepage::RigidSkeleton{},
+                         pressure_tolerance_);
+  } else {
+    soil.volumetric_strain(time_step, strain_);
+    report = water.solve(water_step, mixture.skeleton(), strain_, actions.water, SkeletonResponse(soil, time_step),
+                         pressure_tolerance_);
+  }
+
+  // Correct: the pressure change acts on the soil.
+  soil.correct(time_step, water.pore_stress_change());
+
+  // Advance: positions, strain, porosity, effective stress (Eqs. 11-16); then saturation, permeability and the books of
+  // the water (Eqs. 8-10).
+  soil.advance(time_step, water.suction());
+  water.finish(water_step, mixture.skeleton(), actions.water);
+  mixture.weigh_water();
+  return report;
+}
+
+}  // namespace slope::couple

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "mixture.hpp"
+#include "slope/seepage/boundary.hpp"
+
+namespace slope::couple {
+
+/// What acts from outside during one step.
+struct Actions {
+  std::vector<solid::ParticleTraction> tractions;
+  seepage::Boundary water;
+};
+
+/// The default scheme: one loop, one clock, the soil explicit, the water implicit, and the volume change that links them
+/// inside the pressure step, so that stiff water is stable at the soil's own time step.
+class SemiImplicitScheme {
+ public:
+  explicit SemiImplicitScheme(double pressure_tolerance) : pressure_tolerance_(pressure_tolerance) {}
+
+  /// One step.
+  /// @param time_step  dt of the soil (s); @param clock_factor  Theta: the water's time advances by Theta dt
+  /// @param damping  mass-proportional (1/s)
+  seepage::SolveReport step(Mixture& mixture, const Actions& actions, double time_step, double clock_factor,
+                            double damping);
+
+ private:
+  double pressure_tolerance_;
+  std::vector<double> strain_;
+};
+
+}  // namespace slope::couple
