@@ -10,8 +10,8 @@ cmake --preset release
 cmake --build --preset release --target slope-sim slope-render
 
 results=results/slope-w2
-build/release/tools/slope-sim run cases/slope-w2.yaml -o "$results" --threads "$(nproc)"
-build/release/tools/slope-render "$results"
+build/release/bin/slope-sim run cases/slope-w2.yaml -o "$results" --threads "$(nproc)"
+build/release/bin/slope-render "$results"
 
 echo
 echo "The pictures:"
