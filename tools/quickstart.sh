@@ -13,6 +13,4 @@ results=results/slope-w2
 build/release/bin/slope-sim run cases/slope-w2.yaml -o "$results" --threads "$(nproc)"
 build/release/bin/slope-render "$results"
 
-echo
-echo "The pictures:"
-find "$PWD/$results" -name '*.png' | sort | sed 's/^/  /'
+echo "The pictures are in $PWD/$results/figures"
