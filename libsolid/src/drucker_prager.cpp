@@ -1,6 +1,8 @@
 #include "slope/solid/drucker_prager.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace slope::solid {
 
@@ -12,10 +14,12 @@ struct Match {
 };
 
 // Eqs. 13 and 14: the cone that meets Mohr-Coulomb in associated plane strain.
+// No friction angle exceeds a right one.
 Match plane_strain_match(double angle) {
-  const double t = std::tan(angle);
-  const double root = std::sqrt(9.0 + 12.0 * t * t);
-  return {t / root, 3.0 / root};
+  const double friction = std::sin(std::min(angle, 0.5 * std::numbers::pi));
+  const double s2 = friction * friction;
+  const double root = std::sqrt(9.0 + 3.0 * s2);
+  return {friction / root, 3.0 * std::sqrt(1.0 - s2) / root};
 }
 
 }  // namespace
@@ -49,10 +53,11 @@ Return return_to_yield_surface(const YieldCone& cone, const Elastic& elastic, Sy
   const double shear = elastic.shear_modulus();
   const double bulk = elastic.bulk_modulus();
   const double multiplier = f / (shear + 9.0 * bulk * cone.eta * cone.eta_potential);
-  const double new_root_j2 = root_j2 - shear * multiplier;
+  const double new_mean = mean - 3.0 * bulk * cone.eta_potential * multiplier;
+  // what the yield function leaves to sqrt(J_2) at the new mean stress; negative beyond the tip
+  const double new_root_j2 = cone.xi_c - 3.0 * cone.eta * new_mean;
   if (new_root_j2 >= 0.0) {
     const double scale = root_j2 > 0.0 ? new_root_j2 / root_j2 : 0.0;
-    const double new_mean = mean - 3.0 * bulk * cone.eta_potential * multiplier;
     stress = {(stress.xx - mean) * scale + new_mean, (stress.yy - mean) * scale + new_mean,
               (stress.zz - mean) * scale + new_mean, stress.xy * scale};
     return Return::cone;

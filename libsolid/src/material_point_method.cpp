@@ -223,15 +223,19 @@ void MaterialPointMethod::add_tractions(std::span<const ParticleTraction> tracti
 }
 
 // A node outside of a wall is the mirror image of one inside: opposite velocity components that the wall holds, equal
-// ones that it leaves free. What the particles gave it goes to its mirror node with that sign.
+// ones that it leaves free. What the particles gave it goes to its mirror node, momentum and force with that sign, mass
+// as it is: the soil and its mirror image are one body, whose velocity at a node is an average, which makes no energy.
 void MaterialPointMethod::fold_walls() {
   const auto fold = [this](std::size_t outside, std::size_t inside, double sign_x, double sign_y) {
     double* from = node_.data() + fields * outside;
     double* to = node_.data() + fields * inside;
-    for (std::size_t f = 0; f < 6; ++f) {
-      to[f] += (f % 2 == 0 ? sign_x : sign_y) * from[f];
-      from[f] = 0.0;
-    }
+    to[0] += from[0];
+    to[1] += from[1];
+    to[2] += sign_x * from[2];
+    to[3] += sign_y * from[3];
+    to[4] += sign_x * from[4];
+    to[5] += sign_y * from[5];
+    std::fill(from, from + fields, 0.0);
   };
   const auto tangential = [](Wall wall) { return wall == Wall::fixed ? -1.0 : 1.0; };
   const int nx = grid_.columns, ny = grid_.rows;
