@@ -1,0 +1,95 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <cstdio>
+#include <exception>
+#include <string>
+#include <vector>
+
+#include "run.hpp"
+#include "slope/couple/geometry.hpp"
+#include "slope/couple/read_case.hpp"
+
+namespace {
+
+using slope::tools::ExitCode;
+
+/// Reads the case and says what it holds.
+void check(const std::string& file, const std::vector<std::string>& overrides) {
+  const slope::couple::Case input = slope::couple::read_case(file, overrides);
+  const slope::couple::Domain& domain = input.domain;
+  const auto cells = [&](std::size_t axis) {
+    return std::lround((domain.upper[axis] - domain.lower[axis]) / domain.cell_size);
+  };
+  fmt::print("{}: fine: {} particles of {} soil{} on {} x {} cells of {:g} m, until {:g} s\n", file,
+             fill_regions(domain, input.regions).x.size(), input.soils.size(), input.soils.size() == 1 ? "" : "s",
+             cells(0), cells(1), domain.cell_size, input.stop.time);
+}
+
+void add_case(CLI::App& command, std::string& file, std::vector<std::string>& overrides) {
+  command.add_option("CASE", file, "Case file (YAML)")->required();
+  command
+      .add_option("--set", overrides,
+                  "KEY=VALUE in place of what the case says, such as soils.clay.porosity=0.4; repeatable")
+      ->type_name("KEY=VALUE")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->allow_extra_args(false);
+}
+
+ExitCode fail(const std::exception& error, ExitCode code) {
+  fmt::print(stderr, "{}\n", error.what());
+  return code;
+}
+
+ExitCode execute(const CLI::App& app, const slope::tools::RunOptions& options) {
+  try {
+    if (app.got_subcommand("schema")) {
+      fmt::print("{}", slope::couple::case_schema());
+    } else if (app.got_subcommand("check")) {
+      check(options.case_file.string(), options.overrides);
+    } else {
+      return slope::tools::run(options);
+    }
+    return ExitCode::fine;
+  } catch (const slope::couple::InputError& error) {
+    return fail(error, ExitCode::bad_input);
+  } catch (const slope::couple::FileError& error) {
+    return fail(error, ExitCode::input_output);
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Rain-induced slope failure: soil as material points, pore water as smoothed particles.", "slope-sim");
+  app.set_version_flag("--version", std::string("slope-sim ") + SLOPE_VERSION);
+  app.footer(
+      "Exit codes: 0 fine, 2 bad arguments or case, 3 the physics broke, 4 a file cannot be read or written, 130 "
+      "interrupted;\n"
+      "after 3, 4 and 130 what was computed until then is in the output folder.");
+  app.require_subcommand(1);
+
+  slope::tools::RunOptions options;
+  std::string case_file;
+  std::string folder;
+  CLI::App* run = app.add_subcommand("run", "Runs a case and fills an output folder");
+  add_case(*run, case_file, options.overrides);
+  run->add_option("-o,--output", folder, "Output folder; an earlier run in it is replaced")->required();
+  run->add_option("--threads", options.threads, "Number of threads; the result does not depend on it")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  run->add_flag("--quiet", options.quiet, "No progress, no summary");
+  CLI::App* check = app.add_subcommand("check", "Says what is wrong with a case, or that it is fine");
+  add_case(*check, case_file, options.overrides);
+  app.add_subcommand("schema", "Prints the JSON Schema of case files");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : static_cast<int>(ExitCode::bad_input);
+  }
+  options.case_file = case_file;
+  options.folder = folder;
+  return static_cast<int>(execute(app, options));
+}

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <chrono>
+#include <string>
+
+#include "slope/couple/simulation.hpp"
+
+namespace slope::tools {
+
+/// "412 s of 2400 s   17 %   clock x12.4   displacement 1.2 mm   2:31 left"
+[[nodiscard]] std::string progress_text(const couple::Progress& progress, double end_time, double wall_seconds);
+
+/// Shows how far a run is: on a terminal one line that is written over, elsewhere a line per tenth of the run.
+class ProgressLine {
+ public:
+  /// @param end_time  longest simulated time (s).  @param quiet  shows nothing.
+  ProgressLine(double end_time, bool quiet);
+  ~ProgressLine();
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
+
+  void show(const couple::Progress& progress);
+  /// A line that stays.
+  void say(const std::string& line);
+  /// Wall time since the start (s).
+  [[nodiscard]] double elapsed() const;
+  /// Takes the line that is written over away, so that something else can be printed.
+  void clear();
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  double end_time_;
+  bool quiet_;
+  bool terminal_;
+  bool line_open_ = false;
+  double last_shown_ = 0.0;
+  int tenths_shown_ = 0;
+};
+
+}  // namespace slope::tools

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+
+#include "slope/couple/case.hpp"
+#include "slope/couple/simulation.hpp"
+#include "summary_json.hpp"
+
+namespace slope::tools {
+
+/// What a reader wants to know at the end of a run, in a few lines.
+[[nodiscard]] std::string report_text(const couple::Case& input, const couple::Summary& summary,
+                                      const RunRecord& record);
+
+/// "693 s (largest displacement above 2 cm) at x = 10.3 m, y = 5.2 m"
+[[nodiscard]] std::string onset_text(const couple::Summary& summary);
+
+}  // namespace slope::tools
