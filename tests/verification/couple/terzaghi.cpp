@@ -1,0 +1,105 @@
+// Terzaghi's consolidation of a saturated column: the undrained start, then pressure and settlement in time.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "run_case.hpp"
+#include "slope/testing/curve.hpp"
+#include "slope/testing/record.hpp"
+#include "slope/testing/table.hpp"
+
+namespace slope::testing {
+namespace {
+
+constexpr double height = 1.0;      // m
+constexpr double load = 10.0e3;     // Pa
+constexpr double drain_start = 1.0;  // s
+constexpr double unit_weight = 9810.0;  // N/m3
+const std::vector<double> time_factors{0.05, 0.1, 0.2, 0.3, 0.5, 0.7, 1.0};
+
+struct Figures {
+  double undrained = 0.0;  // P / q in the middle third, before the drain opens
+  double pressure = 0.0;   // largest error over all times
+  double settlement = 0.0;
+};
+
+// Average degree of consolidation (Terzaghi), single drainage.
+double consolidation(double time_factor) {
+  double left = 0.0;
+  for (int k = 0; k < 200; ++k) {
+    const double m = std::numbers::pi * (2 * k + 1) / 2.0;
+    left += 2.0 / (m * m) * std::exp(-m * m * time_factor);
+  }
+  return 1.0 - left;
+}
+
+Figures run_terzaghi(const std::string& cell_size, const std::string& width) {
+  // c_v and the undrained start with the water's own compressibility in (header of terzaghi_profiles.csv)
+  const solid::Elastic elastic{10.0e6, 0.33};
+  const double modulus = elastic.constrained_modulus();
+  const double water_storage = 0.35 / 2.0e9;
+  const double consolidation_coefficient = 1.0e-5 / (unit_weight * (1.0 / modulus + water_storage));
+  const double start = load / (1.0 + modulus * water_storage);
+
+  std::string times = "output.snapshots=[0.99 s";
+  for (const double t : time_factors) {
+    times += ", " + std::to_string(drain_start + t * height * height / consolidation_coefficient) + " s";
+  }
+  const std::string right = width + " m";
+  couple::Simulation simulation = start_case(
+      "terzaghi.yaml", {times + "]", "domain.cell_size=" + cell_size, "domain.upper=[" + right + ", 1.2 m]",
+                        "geometry.0.polygon=[[0 m, 0 m], [" + right + ", 0 m], [" + right + ", 1 m], [0 m, 1 m]]"});
+  const Table profiles = reference("terzaghi/terzaghi_profiles.csv");
+  Figures figures;
+  double first_settlement = 0.0;
+  run(simulation, [&](const couple::ParticleTable& now) {
+    Curve pressure;
+    double top = 0.0, settlement = 0.0;
+    for (std::size_t p = 0; p < now.position.size(); ++p) {
+      const double y = now.position[p][1] - now.displacement[p][1];
+      pressure.x.push_back(1.0 - y / height);
+      pressure.y.push_back((now.pore_pressure[p] - unit_weight * (height - y)) / start);
+      if (y > top) {
+        top = y;
+        settlement = -now.displacement[p][1];
+      }
+    }
+    if (now.time < drain_start) {
+      for (std::size_t p = 0; p < pressure.x.size(); ++p) {
+        if (std::abs(pressure.x[p] - 0.5) < 1.0 / 6.0) figures.undrained = pressure.y[p] * start / load;
+      }
+      first_settlement = settlement;
+      return;
+    }
+    const double time_factor = (now.time - drain_start) * consolidation_coefficient / height / height;
+    const auto listed = std::ranges::find_if(time_factors, [&](double t) { return std::abs(t - time_factor) < 1e-4; });
+    if (listed == time_factors.end()) return;
+    std::string name = std::to_string(*listed);
+    name.erase(name.find_last_not_of('0') + 1);
+    if (name.back() == '.') name.pop_back();
+    const Curve exact{profiles.column("Z"), profiles.column("p_Tv" + name)};
+    figures.pressure = std::max(figures.pressure, max_relative_error(pressure, exact));
+    const double final_settlement = start * height / modulus;
+    const double exact_settlement = final_settlement * consolidation(*listed);
+    figures.settlement =
+        std::max(figures.settlement, std::abs(settlement - first_settlement - exact_settlement) / exact_settlement);
+  });
+  return figures;
+}
+
+TEST(Terzaghi, ConsolidatesAndConverges) {
+  const Figures coarse = run_terzaghi("0.1 m", "0.1");
+  const Figures fine = run_terzaghi("0.05 m", "0.05");
+  EXPECT_TRUE(record("terzaghi-1", "Terzaghi column, 2 x 40 particles: undrained start P/q", near(0.9974, 1.0e-3),
+                     fine.undrained, ""));
+  EXPECT_TRUE(record("terzaghi-2", "- pressure, T = 0.05 to 1", at_most(0.01), fine.pressure, "%"));
+  EXPECT_TRUE(record("terzaghi-3", "- settlement, T = 0.05 to 1", at_most(0.01), fine.settlement, "%"));
+  EXPECT_TRUE(record("terzaghi-4", "- pressure error on 2 x 20 over that on 2 x 40 particles", at_least(1.5),
+                     coarse.pressure / fine.pressure, ""));
+}
+
+}  // namespace
+}  // namespace slope::testing
