@@ -46,10 +46,12 @@ YieldCone SuctionDependentCone::at(double suction) const {
 
 Return return_to_yield_surface(const YieldCone& cone, const Elastic& elastic, SymmetricTensor& stress) {
   const double mean = trace(stress) / 3.0;
-  const double root_j2 = std::sqrt(second_invariant(stress));
-  const double f = root_j2 + 3.0 * cone.eta * mean - cone.xi_c;
-  if (f <= 0.0) return Return::elastic;
+  const double j2 = second_invariant(stress);
+  const double strength = cone.xi_c - 3.0 * cone.eta * mean;
+  if (strength >= 0.0 && j2 <= strength * strength) return Return::elastic;
 
+  const double root_j2 = std::sqrt(j2);
+  const double f = root_j2 - strength;
   const double shear = elastic.shear_modulus();
   const double bulk = elastic.bulk_modulus();
   const double multiplier = f / (shear + 9.0 * bulk * cone.eta * cone.eta_potential);

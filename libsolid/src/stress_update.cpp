@@ -1,40 +1,26 @@
-#include <cmath>
+// Strain, volume, porosity and effective stress of the particles.
 
-#include "slope/solid/drucker_prager.hpp"
 #include "slope/solid/material_point_method.hpp"
 
 namespace slope::solid {
 
-namespace {
-
-// What the loop over the particles needs of a soil, worked out once.
-struct Material {
-  explicit Material(const Soil& soil)
-      : elastic(soil.elastic),
-        shear(soil.elastic.shear_modulus()),
-        lame(soil.elastic.bulk_modulus() - 2.0 / 3.0 * soil.elastic.shear_modulus()) {
-    if (const auto* strength = std::get_if<DruckerPrager>(&soil.strength)) cone.emplace(*strength);
-  }
-
-  Elastic elastic;
-  double shear;
-  double lame;
-  std::optional<SuctionDependentCone> cone;
-};
-
-}  // namespace
+MaterialPointMethod::Material::Material(const Soil& soil)
+    : elastic(soil.elastic),
+      shear(soil.elastic.shear_modulus()),
+      lame(soil.elastic.bulk_modulus() - 2.0 / 3.0 * soil.elastic.shear_modulus()) {
+  if (const auto* strength = std::get_if<DruckerPrager>(&soil.strength)) cone.emplace(*strength);
+}
 
 void MaterialPointMethod::update_stress(double dt, std::span<const double> suction, const StepMode& mode) {
-  const std::vector<Material> materials(soils_.begin(), soils_.end());
-  cell_divergence(vx_, vy_);
+  find_cell_divergence(velocity_);
 #pragma omp parallel for schedule(static) num_threads(settings_.threads) if (settings_.threads > 1)
   for (std::size_t p = 0; p < particles_.size(); ++p) {
-    const Material& material = materials[particles_.soil[p]];
-    const double* l = gradient_of_velocity_.data() + 4 * p;
-    const double dxx = dt * l[0];
-    const double dyy = dt * l[3];
-    const double dxy = 0.5 * dt * (l[1] + l[2]);
-    const double spin = 0.5 * dt * (l[1] - l[2]);
+    const Material& material = materials_[particles_.soil[p]];
+    const auto [vx_x, vx_y, vy_x, vy_y] = velocity_gradient_[p];
+    const double dxx = dt * vx_x;
+    const double dyy = dt * vy_y;
+    const double dxy = 0.5 * dt * (vx_y + vy_x);
+    const double spin = 0.5 * dt * (vx_y - vy_x);
     if (mode.accumulates_strain) {
       particles_.exx[p] += dxx;
       particles_.eyy[p] += dyy;
@@ -45,12 +31,12 @@ void MaterialPointMethod::update_stress(double dt, std::span<const double> sucti
       particles_.volume[p] *= 1.0 + strain;
       particles_.porosity[p] = 1.0 - (1.0 - particles_.porosity[p]) / (1.0 + strain);
     }
+    // Jaumann rate
     const double sxx = particles_.sxx[p], syy = particles_.syy[p], sxy = particles_.sxy[p];
     const double volumetric = material.lame * (dxx + dyy);
     SymmetricTensor stress{sxx + 2.0 * spin * sxy + volumetric + 2.0 * material.shear * dxx,
                            syy - 2.0 * spin * sxy + volumetric + 2.0 * material.shear * dyy,
-                           particles_.szz[p] + volumetric,
-                           sxy + spin * (syy - sxx) + 2.0 * material.shear * dxy};
+                           particles_.szz[p] + volumetric, sxy + spin * (syy - sxx) + 2.0 * material.shear * dxy};
     if (mode.yields && material.cone) {
       return_to_yield_surface(material.cone->at(suction.empty() ? 0.0 : suction[p]), material.elastic, stress);
     }

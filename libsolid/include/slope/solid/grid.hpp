@@ -14,8 +14,8 @@ struct Walls {
   Wall base = Wall::fixed;
 };
 
-/// The background grid: square cells in a box whose left, right and lower sides are walls. Nodes stand at the corners of
-/// the cells, with one more ring outside of the box, where quadratic B-splines reach.
+/// The background grid: square cells in a box whose left, right and lower sides are walls. Nodes stand at the corners
+/// of the cells, with one more ring outside of the box, where quadratic B-splines reach.
 struct Grid {
   std::array<double, 2> lower{0.0, 0.0};  ///< lower left corner of the box (m)
   double cell_size = 0.0;                 ///< (m), > 0

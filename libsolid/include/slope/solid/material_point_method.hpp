@@ -1,5 +1,7 @@
 #pragma once
 
+#include <Eigen/Core>
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -7,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "slope/solid/drucker_prager.hpp"
 #include "slope/solid/grid.hpp"
 #include "slope/solid/particles.hpp"
 #include "slope/solid/soil.hpp"
@@ -27,15 +30,16 @@ enum class ShapeFunction { quadratic_bspline, linear };
 
 struct Settings {
   ShapeFunction shape_function = ShapeFunction::quadratic_bspline;
-  double flip_fraction = -1.0;  ///< < 0: APIC; else the FLIP share in [0, 1] of a FLIP/PIC blend
-  double gravity = 9.81;        ///< (m/s2), towards -y
-  double particle_spacing = 0.0;  ///< thickness h of the boundary layer that carries tractions in Eq. 17 (m)
-  int threads = 1;              ///< >= 1; results do not depend on it
+  double flip_fraction = -1.0;    ///< < 0: APIC; else the FLIP share in [0, 1] of a FLIP/PIC blend
+  double gravity = 9.81;          ///< (m/s2), towards -y
+  double particle_spacing = 0.0;  ///< surface (m) that a particle's traction acts on: V / h of Eq. 17, undeformed
+  int threads = 1;                ///< >= 1; results do not depend on it
 };
 
 /// What the skeleton needs to know of the pore water; views of one entry per particle. Empty views mean dry soil.
 struct PoreState {
-  std::span<const double> pressure;    ///< S_r P_w (Pa): the pore water's part of the total stress, positive in compression
+  std::span<const double>
+      pressure;  ///< S_r P_w (Pa): the pore water's part of the total stress, positive in compression
   std::span<const double> water_mass;  ///< n S_r rho_w V (kg/m), the water that moves with the skeleton
 };
 
@@ -48,8 +52,8 @@ struct ParticleTraction {
 
 /// What one step moves.
 struct StepMode {
-  bool yields = true;           ///< false: elastic, whatever the strength
-  bool moves = true;            ///< false: stress builds up at fixed positions, volumes and porosity
+  bool yields = true;  ///< false: elastic, whatever the strength
+  bool moves = true;   ///< false: stress builds up at fixed positions, volumes and porosity
   bool accumulates_strain = true;
 };
 
@@ -57,7 +61,7 @@ struct StepMode {
 struct Balance {
   double kinetic_energy = 0.0;    ///< of the grid (J/m)
   double unbalanced_force = 0.0;  ///< sum of |internal + external force| over the free nodal components (N/m)
-  double weight = 0.0;            ///< sum of the gravity forces (N/m)
+  double weight = 0.0;            ///< of all particles (N/m)
 };
 
 /// The material point method for the soil skeleton: momentum of the mixture on a background grid (paper, Eq. 17), in
@@ -72,6 +76,8 @@ struct Balance {
 /// volumetric strain: the two are transposes of each other, so that no energy is made between them.
 class MaterialPointMethod {
  public:
+  /// @throws std::invalid_argument if there is no cell, soil or thread, if the particles' arrays differ in length or
+  /// name a soil that is not there, or if the share of FLIP is above one
   MaterialPointMethod(const Grid& grid, std::vector<Soil> soils, Particles particles, const Settings& settings);
 
   /// Largest stable time step: Courant number x cell size / fastest drained P-wave (s), for the mixture density of the
@@ -79,13 +85,16 @@ class MaterialPointMethod {
   [[nodiscard]] double stable_step(double courant_number, std::span<const double> water_mass) const;
 
   /// v* = (v + dt M^-1 f) / (1 + damping dt).
-  /// @param damping  mass-proportional viscous damping (1/s), >= 0
+  /// @param tractions  each acts over one particle spacing of surface (Eq. 17)
+  /// @param damping  mass-proportional viscous damping (1/s), >= 0; it slows what follows in the same step alike
+  /// @throws SolidError if a particle is outside of the grid; std::invalid_argument if there are tractions but no
+  /// particle spacing in the settings
   void predict(double dt, const PoreState& pore, std::span<const ParticleTraction> tractions, double damping);
 
   /// Volumetric strain increment dt div v of the present grid velocity, averaged over each cell (-), one per particle.
   void volumetric_strain(double dt, std::span<double> strain) const;
 
-  /// dV = V Pi D (dt M^-1 D^T V Pi q) dt: the volume change (m2) that a pore pressure change q (Pa) causes within the
+  /// dV = dt^2 V Pi D M^-1 D^T V Pi q: the volume change (m2) that a pore pressure change q (Pa) causes within the
   /// step. Symmetric and positive semidefinite in q.
   void volume_response(double dt, std::span<const double> q, std::span<double> volume_change) const;
 
@@ -110,57 +119,74 @@ class MaterialPointMethod {
 
  private:
   struct ParticleWeights {
-    std::size_t node = 0;  // of the first node
+    std::size_t node = 0;       // the first of 3 x 3
     double dx = 0.0, dy = 0.0;  // from the particle to the first node (m)
     double nx[3], ny[3], gx[3], gy[3];
   };
-  // sum over the particles of a cell of V G_ip, for the 4 x 4 nodes that they reach, wall conditions folded in
-  struct CellGradient {
-    double x[16], y[16];
+  struct Node {
+    Eigen::Array2d momentum, force;
+    double mass;
+  };
+  // Grid cells that hold particles.
+  struct Cell {
+    std::size_t index;     // in the grid
+    std::size_t node;      // the first of the 4 x 4 that its particles reach
+    std::size_t particle;  // the first one, in cell_particles_
+    double volume;
+  };
+  // Per node, the sum over the particles of a cell of V G_ip, wall conditions folded in.
+  using CellGradient = std::array<Eigen::Array2d, 16>;
+  // What the loop over the particles needs of a soil, worked out once.
+  struct Material {
+    explicit Material(const Soil& soil);
+    Elastic elastic;
+    double shear, lame;
+    std::optional<SuctionDependentCone> cone;
   };
 
   template <class Shape>
   void find_weights();
   void sort_into_cells();
-  void sum_cell_gradients();
+  template <class Visit>
+  void for_each_cell(const Visit& visit) const;
   void scatter(const PoreState& pore);
   void add_tractions(std::span<const ParticleTraction> tractions);
   void fold_walls();
-  void update_velocity(double dt, double damping);
-  void add_pressure_force(std::span<const double> q, std::vector<double>& fx, std::vector<double>& fy) const;
-  void cell_averages(std::span<const double> q) const;
-  void cell_divergence(const std::vector<double>& vx, const std::vector<double>& vy) const;
+  void hold_walls();
   void unfold_walls();
+  void update_velocity(double dt, double damping);
+  void sum_cell_gradients();
+  void fold_walls(std::size_t cell, CellGradient& gradient) const;
+  void find_pressure_force(std::span<const double> q) const;
+  void find_cell_divergence(const std::vector<Eigen::Array2d>& velocity) const;
   template <bool affine>
   void gather(double dt, const StepMode& mode);
   void update_stress(double dt, std::span<const double> suction, const StepMode& mode);
   void check() const;
-  [[nodiscard]] std::size_t cell_first_node(std::size_t cell) const;
 
   Grid grid_;
   std::vector<Soil> soils_;
+  std::vector<Material> materials_;
   Particles particles_;
   Settings settings_;
   Balance balance_;
 
   std::vector<ParticleWeights> weights_;
-  std::vector<std::size_t> cell_of_;         // active cell of each particle
-  std::vector<std::size_t> active_cells_;    // grid cells that hold particles, in grid order
-  std::vector<std::size_t> cell_start_;      // into cell_particles_, per active cell
+  std::vector<std::size_t> grid_cell_of_;    // of each particle
+  std::vector<std::size_t> cell_of_;         // index in cells_ of each particle
+  std::vector<std::size_t> cell_start_;      // into cell_particles_, per grid cell
   std::vector<std::size_t> cell_particles_;  // particles by cell
-  std::vector<CellGradient> cell_gradient_;
-  std::vector<double> cell_volume_;
-  struct Chunk {
-    std::size_t first_cell, last_cell, first_node, last_node;
-  };
-  std::vector<Chunk> chunks_;  // fixed by the particles, not by the threads
-  mutable std::vector<std::vector<double>> chunk_nodes_;
+  std::vector<Cell> cells_;                  // in grid order; one more at the end, for its first particle
+  std::vector<std::size_t> bands_;           // first cell of each band of rows, see for_each_cell()
 
-  static constexpr std::size_t fields = 8;  // per node: mass x, mass y, momentum x, y, force x, y, two unused
-  std::vector<double> node_;
-  std::vector<double> old_vx_, old_vy_, vx_, vy_, inverse_mass_x_, inverse_mass_y_;
-  std::vector<double> gradient_of_velocity_;  // 4 per particle: dvx/dx, dvx/dy, dvy/dx, dvy/dy
-  mutable std::vector<double> work_x_, work_y_, cell_value_;
+  std::vector<Node> node_;
+  std::vector<Eigen::Array2d> old_velocity_, velocity_;
+  std::vector<Eigen::Array2d> response_;  // velocity per impulse: 1 / mass, slowed by the damping; 0 where a wall holds
+  std::vector<CellGradient> cell_gradient_;
+  std::vector<std::array<double, 4>> velocity_gradient_;  // of each particle: dvx/dx, dvx/dy, dvy/dx, dvy/dy
+  // work space of the pressure's force and the divergence; it carries nothing from one call to the next
+  mutable std::vector<Eigen::Array2d> pressure_force_;
+  mutable std::vector<double> cell_value_;
 };
 
 }  // namespace slope::solid

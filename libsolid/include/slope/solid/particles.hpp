@@ -10,9 +10,9 @@ namespace slope::solid {
 /// State of the soil skeleton: a structure of arrays, one entry per particle, SI units, per metre of thickness.
 /// Stress and strain are tensors, tension positive.
 struct Particles {
-  std::vector<double> x, y;            ///< position (m)
-  std::vector<double> ux, uy;          ///< displacement since the start (m)
-  std::vector<double> vx, vy;          ///< velocity (m/s)
+  std::vector<double> x, y;                ///< position (m)
+  std::vector<double> ux, uy;              ///< displacement since the start (m)
+  std::vector<double> vx, vy;              ///< velocity (m/s)
   std::vector<double> cxx, cxy, cyx, cyy;  ///< affine velocity field dv_x/dx, dv_x/dy, dv_y/dx, dv_y/dy of APIC (1/s)
   std::vector<double> sxx, syy, szz, sxy;  ///< effective stress sigma' (Pa)
   std::vector<double> exx, eyy, exy;       ///< accumulated strain (-); e_zz = 0

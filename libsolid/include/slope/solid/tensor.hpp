@@ -13,7 +13,9 @@ struct SymmetricTensor {
   double xy = 0.0;
 };
 
-[[nodiscard]] inline double trace(const SymmetricTensor& t) { return t.xx + t.yy + t.zz; }
+[[nodiscard]] inline double trace(const SymmetricTensor& t) {
+  return t.xx + t.yy + t.zz;
+}
 
 [[nodiscard]] inline SymmetricTensor deviator(const SymmetricTensor& t) {
   const double mean = trace(t) / 3.0;

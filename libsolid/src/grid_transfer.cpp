@@ -1,0 +1,173 @@
+// Particles to grid and back (paper, Eq. 17).
+
+#include <algorithm>
+#include <utility>
+
+#include "cells.hpp"
+#include "slope/solid/shape_function.hpp"
+
+namespace slope::solid {
+
+template <class Shape>
+void MaterialPointMethod::find_weights() {
+  const double h = grid_.cell_size;
+  const double inverse = 1.0 / h;
+  const std::size_t n = particles_.size();
+  std::size_t outside = n;
+#pragma omp parallel for schedule(static) num_threads(settings_.threads) if (settings_.threads > 1) \
+    reduction(min                                                                                   \
+              : outside)
+  for (std::size_t p = 0; p < n; ++p) {
+    const double px = (particles_.x[p] - grid_.lower[0]) * inverse;
+    const double py = (particles_.y[p] - grid_.lower[1]) * inverse;
+    if (!(px >= 0.0 && px < grid_.columns && py >= 0.0 && py < grid_.rows)) {
+      outside = std::min(outside, p);
+      continue;
+    }
+    const AxisWeights x = Shape::weights(px, inverse);
+    const AxisWeights y = Shape::weights(py, inverse);
+    ParticleWeights& w = weights_[p];
+    w.node = grid_.node(x.first, y.first);
+    w.dx = (x.first - px) * h;
+    w.dy = (y.first - py) * h;
+    for (std::size_t a = 0; a < 3; ++a) {
+      w.nx[a] = x.value[a];
+      w.ny[a] = y.value[a];
+      w.gx[a] = x.gradient[a];
+      w.gy[a] = y.gradient[a];
+    }
+    grid_cell_of_[p] = std::size_t(py) * std::size_t(grid_.columns) + std::size_t(px);
+  }
+  if (outside == n) return;
+  const double x = particles_.x[outside] - grid_.lower[0];
+  if (!(x >= 0.0 && x * inverse < grid_.columns)) {
+    throw SolidError(outside, "x position (m), outside of the grid,", particles_.x[outside]);
+  }
+  throw SolidError(outside, "y position (m), outside of the grid,", particles_.y[outside]);
+}
+
+template void MaterialPointMethod::find_weights<QuadraticBSpline>();
+template void MaterialPointMethod::find_weights<Linear>();
+
+void MaterialPointMethod::sort_into_cells() {
+  constexpr std::size_t rows_per_band = 3;  // a cell reaches the nodes of the cells beside it, see for_each_cell()
+  const std::size_t columns = std::size_t(grid_.columns);
+  std::fill(cell_start_.begin(), cell_start_.end(), 0);
+  for (const std::size_t cell : grid_cell_of_) ++cell_start_[cell];
+  cells_.clear();
+  bands_.clear();
+  std::size_t first = 0;
+  for (std::size_t cell = 0; cell < grid_.cell_count(); ++cell) {
+    if (cell % (rows_per_band * columns) == 0) bands_.push_back(cells_.size());
+    const std::size_t count = std::exchange(cell_start_[cell], first);
+    if (count == 0) continue;
+    const int column = static_cast<int>(cell % columns);
+    const int row = static_cast<int>(cell / columns);
+    cells_.push_back({cell, grid_.node(column - 1, row - 1), first, 0.0});
+    first += count;
+  }
+  bands_.push_back(cells_.size());
+  cells_.push_back({grid_.cell_count(), 0, first, 0.0});
+  for (std::size_t p = 0; p < grid_cell_of_.size(); ++p) cell_particles_[cell_start_[grid_cell_of_[p]]++] = p;
+}
+
+void MaterialPointMethod::scatter(const PoreState& pore) {
+  using Eigen::Array2d;
+  const std::size_t columns = std::size_t(grid_.node_columns());
+  const double h = grid_.cell_size;
+  const bool affine = settings_.flip_fraction < 0.0;
+  std::fill(node_.begin(), node_.end(), Node{Array2d::Zero(), Array2d::Zero(), 0.0});
+  for_each_cell([&](std::size_t c) {
+    for (std::size_t s = cells_[c].particle; s < cells_[c + 1].particle; ++s) {
+      const std::size_t p = cell_particles_[s];
+      const ParticleWeights w = weights_[p];
+      const double mass = particles_.solid_mass[p] + (pore.water_mass.empty() ? 0.0 : pore.water_mass[p]);
+      const double volume = particles_.volume[p];
+      // momentum at node (a, b): corner + a along_row + b along_column
+      Array2d corner = mass * Array2d(particles_.vx[p], particles_.vy[p]);
+      Array2d along_row = Array2d::Zero(), along_column = Array2d::Zero();
+      if (affine) {
+        const Array2d cx = mass * Array2d(particles_.cxx[p], particles_.cyx[p]);
+        const Array2d cy = mass * Array2d(particles_.cxy[p], particles_.cyy[p]);
+        corner += cx * w.dx + cy * w.dy;
+        along_row = h * cx;
+        along_column = h * cy;
+      }
+      const Array2d stress_x = -volume * Array2d(particles_.sxx[p], particles_.sxy[p]);
+      const Array2d stress_y = -volume * Array2d(particles_.sxy[p], particles_.syy[p]);
+      const Array2d weight(0.0, -mass * settings_.gravity);
+      Node* row = node_.data() + w.node;
+      for (int b = 0; b < 3; ++b, row += columns) {
+        const double row_mass = w.ny[b] * mass;
+        const Array2d row_momentum = w.ny[b] * (corner + b * along_column);
+        const Array2d row_slope = w.ny[b] * along_row;
+        const Array2d row_force = w.ny[b] * weight + w.gy[b] * stress_y;
+        const Array2d row_stress = w.ny[b] * stress_x;
+        for (int a = 0; a < 3; ++a) {
+          row[a].momentum += w.nx[a] * (row_momentum + a * row_slope);
+          row[a].force += w.nx[a] * row_force + w.gx[a] * row_stress;
+          row[a].mass += w.nx[a] * row_mass;
+        }
+      }
+    }
+  });
+}
+
+template <bool affine>
+void MaterialPointMethod::gather(double dt, const StepMode& mode) {
+  using Eigen::Array2d;
+  const std::size_t columns = std::size_t(grid_.node_columns());
+  const double h = grid_.cell_size;
+  const double affine_scale = 4.0 / (h * h);
+  const bool linear = settings_.shape_function == ShapeFunction::linear;
+  const double flip = settings_.flip_fraction;
+#pragma omp parallel for schedule(static) num_threads(settings_.threads) if (settings_.threads > 1)
+  for (std::size_t p = 0; p < particles_.size(); ++p) {
+    const ParticleWeights& w = weights_[p];
+    Array2d velocity = Array2d::Zero(), change = Array2d::Zero();
+    Array2d moment_x = Array2d::Zero(), moment_y = Array2d::Zero();
+    Array2d gradient_x = Array2d::Zero(), gradient_y = Array2d::Zero();
+    std::size_t node = w.node;
+    for (int b = 0; b < 3; ++b, node += columns) {
+      const Array2d* v = velocity_.data() + node;
+      const Array2d along = w.nx[0] * v[0] + w.nx[1] * v[1] + w.nx[2] * v[2];
+      velocity += w.ny[b] * along;
+      gradient_x += w.ny[b] * (w.gx[0] * v[0] + w.gx[1] * v[1] + w.gx[2] * v[2]);
+      gradient_y += w.gy[b] * along;
+      if constexpr (affine) {
+        // sums of N v (x_i - x_p): the arm is dx + a h along the row and dy + b h along the column
+        moment_x += w.ny[b] * (w.dx * along + h * (w.nx[1] * v[1] + 2.0 * w.nx[2] * v[2]));
+        moment_y += w.ny[b] * (w.dy + b * h) * along;
+      } else {
+        const Array2d* old = old_velocity_.data() + node;
+        change += w.ny[b] * (along - (w.nx[0] * old[0] + w.nx[1] * old[1] + w.nx[2] * old[2]));
+      }
+    }
+    velocity_gradient_[p] = {gradient_x.x(), gradient_y.x(), gradient_x.y(), gradient_y.y()};
+    if constexpr (affine) {
+      particles_.vx[p] = velocity.x();
+      particles_.vy[p] = velocity.y();
+      // hat functions: the moment over the moment of inertia is the velocity gradient itself
+      const Array2d cx = linear ? gradient_x : affine_scale * moment_x;
+      const Array2d cy = linear ? gradient_y : affine_scale * moment_y;
+      particles_.cxx[p] = cx.x();
+      particles_.cyx[p] = cx.y();
+      particles_.cxy[p] = cy.x();
+      particles_.cyy[p] = cy.y();
+    } else {
+      particles_.vx[p] = flip * (particles_.vx[p] + change.x()) + (1.0 - flip) * velocity.x();
+      particles_.vy[p] = flip * (particles_.vy[p] + change.y()) + (1.0 - flip) * velocity.y();
+    }
+    if (mode.moves) {
+      particles_.x[p] += dt * velocity.x();
+      particles_.y[p] += dt * velocity.y();
+      particles_.ux[p] += dt * velocity.x();
+      particles_.uy[p] += dt * velocity.y();
+    }
+  }
+}
+
+template void MaterialPointMethod::gather<true>(double, const StepMode&);
+template void MaterialPointMethod::gather<false>(double, const StepMode&);
+
+}  // namespace slope::solid
