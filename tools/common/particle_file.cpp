@@ -5,7 +5,6 @@
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
 #include <vtkIntArray.h>
-#include <vtkLogger.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
@@ -20,6 +19,7 @@
 #include <fstream>
 #include <system_error>
 
+#include "quiet_vtk.hpp"
 #include "slope/couple/read_case.hpp"
 
 namespace slope::tools {
@@ -27,20 +27,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using couple::FileError;
-
-/// While it lives, VTK keeps its messages to itself; what went wrong is told by a FileError.
-class QuietVtk {
- public:
-  QuietVtk() : before_(vtkLogger::GetCurrentVerbosityCutoff()) {
-    vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
-  }
-  ~QuietVtk() { vtkLogger::SetStderrVerbosity(before_); }
-  QuietVtk(const QuietVtk&) = delete;
-  QuietVtk& operator=(const QuietVtk&) = delete;
-
- private:
-  vtkLogger::Verbosity before_;
-};
 
 template <class Array = vtkDoubleArray>
 vtkNew<Array> make_array(const char* name, int components, std::size_t count) {

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "particle_file.hpp"
+#include "scratch_folder.hpp"
+
 namespace slope::tools::test {
 namespace {
 
@@ -76,6 +79,11 @@ couple::ParticleTable synthetic_column(double time, double top_head) {
     }
   }
   return table;
+}
+
+vtkSmartPointer<vtkPolyData> as_polydata(const couple::ParticleTable& table) {
+  const ScratchFolder folder;
+  return read_particles(ParticleFileSeries(folder.path()).write(table));
 }
 
 }  // namespace slope::tools::test

@@ -1,6 +1,7 @@
 #pragma once
 
-#include <vector>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
 
 #include "slope/couple/simulation.hpp"
 
@@ -13,5 +14,8 @@ namespace slope::tools::test {
 
 /// A column 0.08 m x 1 m on a lattice of 0.02 m whose suction head is `top_head` (m) times (y / 1 m)^1.5.
 [[nodiscard]] couple::ParticleTable synthetic_column(double time, double top_head);
+
+/// The particles as slope-render gets them: written to a file and read back.
+[[nodiscard]] vtkSmartPointer<vtkPolyData> as_polydata(const couple::ParticleTable& table);
 
 }  // namespace slope::tools::test

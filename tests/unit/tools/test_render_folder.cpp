@@ -1,0 +1,116 @@
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <stdexcept>
+
+#include "csv_table.hpp"
+#include "picture_file.hpp"
+#include "pictures.hpp"
+#include "scratch_folder.hpp"
+#include "slope/couple/read_case.hpp"
+#include "synthetic_slope.hpp"
+
+namespace slope::tools::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What slope-sim would leave of a slope that failed.
+void fill_run_folder(const fs::path& folder) {
+  fs::create_directories(folder);
+  std::ofstream(folder / "case.yaml") << couple::resolved_yaml(
+      couple::read_case(fs::path(SLOPE_CASES) / "slope-w2.yaml"));
+  ParticleFileSeries series(folder);
+  series.write(synthetic_slope(0.0), "start");
+  series.write(synthetic_slope(300.0, 0.0, 0.7));
+  series.write(synthetic_slope(459.1, 0.05, 1.0), "onset");
+  series.write(synthetic_slope(640.0, 0.9, 1.8), "end");
+  std::ofstream(folder / "history.csv")
+      << "time [s],clock factor [-],largest displacement [m],A1 displacement [m],A1 suction [Pa]\n"
+         "0,1,0,0,20000\n300,50,0.001,0.0005,9000\n640,1,0.9,0.7,-300\n";
+  std::ofstream(folder / "summary.json") << R"({"onset": {"time_s": 459.1, "criterion": "x"}, "end": {"time_s": 640}})";
+}
+
+std::vector<std::string> names_of(const std::vector<fs::path>& files) {
+  std::vector<std::string> names;
+  for (const auto& file : files) {
+    names.push_back(file.filename().string());
+  }
+  return names;
+}
+
+TEST(RunFolder, GivesTheStandardPictures) {
+  const ScratchFolder scratch;
+  fill_run_folder(scratch.path() / "run");
+  const auto run = read_run_folder(scratch.path() / "run");
+  EXPECT_EQ(run.snapshots.size(), 4U);
+  EXPECT_EQ(run.onset, 459.1);
+
+  const auto written = write_pictures(run, {run.path / "figures", 400, {}, {}});
+  EXPECT_EQ(names_of(written),
+            (std::vector<std::string>{"suction_start.png", "suction_onset.png", "suction_end.png",
+                                      "deviatoric_strain_start.png", "deviatoric_strain_onset.png",
+                                      "deviatoric_strain_end.png", "displacement.png", "suction.png"}));
+  for (const auto& file : written) {
+    EXPECT_EQ(PictureFile(file).width(), 400) << file;
+  }
+}
+
+TEST(RunFolder, DrawsFieldsAndTimesThatAreAskedFor) {
+  const ScratchFolder scratch;
+  fill_run_folder(scratch.path());
+  const auto run = read_run_folder(scratch.path());
+  EXPECT_EQ(nearest_snapshot(run.snapshots, 290.0).time, 300.0);
+  const auto written = write_pictures(run, {scratch.path() / "out", 400, {290.0}, {"saturation"}});
+  EXPECT_EQ(names_of(written).front(), "saturation_290s.png");
+  try {
+    write_pictures(run, {scratch.path() / "out", 400, {}, {"sucktion"}});
+    FAIL() << "no such field";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_NE(std::string(error.what()).find("suction, deviatoric_strain"), std::string::npos) << error.what();
+  }
+}
+
+TEST(RunFolder, OfAKilledRunCanBeRead) {
+  const ScratchFolder scratch;
+  fill_run_folder(scratch.path());
+  fs::remove(scratch.path() / "summary.json");
+  std::ofstream(scratch.path() / "history.csv", std::ios::app) << "641,1,0.9";
+  const auto run = read_run_folder(scratch.path());
+  EXPECT_EQ(run.onset, 459.1) << "from the snapshot";
+  EXPECT_EQ(run.history.columns.front().size(), 3U) << "the broken row is left out";
+}
+
+TEST(RunFolder, SaysWhatIsMissing) {
+  const ScratchFolder scratch;
+  const auto message = [](const fs::path& folder) {
+    try {
+      (void)read_run_folder(folder);
+    } catch (const couple::FileError& error) {
+      return std::string(error.what());
+    }
+    return std::string("nothing was thrown");
+  };
+  EXPECT_NE(message(scratch.path() / "nowhere").find("nowhere: no such folder"), std::string::npos);
+  EXPECT_NE(message(scratch.path()).find("particles.pvd: not found"), std::string::npos);
+  fill_run_folder(scratch.path());
+  fs::remove(scratch.path() / "history.csv");
+  EXPECT_NE(message(scratch.path()).find("history.csv"), std::string::npos);
+}
+
+TEST(CsvTable, NumbersMustBeNumbersAndRowsComplete) {
+  const ScratchFolder scratch;
+  const auto file = scratch.path() / "table.csv";
+  std::ofstream(file) << "# from a book\na [m],b\n1,2\n# a remark\n3,4e-2\n";
+  const CsvTable table = read_csv(file);
+  EXPECT_EQ(table.names, (std::vector<std::string>{"a [m]", "b"}));
+  EXPECT_EQ(table.columns, (std::vector<std::vector<double>>{{1.0, 3.0}, {2.0, 0.04}}));
+
+  std::ofstream(file) << "a,b\n1,2\n3,four\n";
+  EXPECT_THROW((void)read_csv(file), couple::FileError);
+  std::ofstream(file) << "a,b\n1\n3,4\n";
+  EXPECT_THROW((void)read_csv(file), couple::FileError);
+}
+
+}  // namespace
+}  // namespace slope::tools::test

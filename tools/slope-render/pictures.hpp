@@ -1,0 +1,23 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "run_folder.hpp"
+
+namespace slope::tools {
+
+struct PictureOptions {
+  std::filesystem::path folder;     ///< that the pictures go to; created if need be
+  int width = 1600;                 ///< (pixels)
+  std::vector<double> times;        ///< of the contour pictures (s); empty: the case's, or start, onset and end
+  std::vector<std::string> fields;  ///< of the contour pictures; empty: suction and deviatoric_strain
+};
+
+/// Draws contour pictures, histories at the verification points and, if the case asks for them, suction profiles.
+/// @return the files that were written.
+/// @throws couple::FileError if a file cannot be read or written; std::invalid_argument for an unknown field.
+std::vector<std::filesystem::path> write_pictures(const RunFolder& run, const PictureOptions& options);
+
+}  // namespace slope::tools
