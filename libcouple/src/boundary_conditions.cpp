@@ -12,15 +12,15 @@ double ramp_share(double time, double start, double ramp) {
   return ramp > 0.0 ? std::clamp((time - start) / ramp, 0.0, 1.0) : 1.0;
 }
 
-// Height of a place's faces above their particles, in spacings.
-double face_rise(Place place) {
+// Where a place's faces lie, seen from their particles, in spacings.
+Point face_of(Place place) {
   switch (place) {
-    case Place::ground_surface: return 0.5;
-    case Place::base: return -0.5;
-    case Place::left:
-    case Place::right: return 0.0;
+    case Place::ground_surface: return {0.0, 0.5};
+    case Place::base: return {0.0, -0.5};
+    case Place::left: return {-0.5, 0.0};
+    case Place::right: return {0.5, 0.0};
   }
-  return 0.0;
+  return {0.0, 0.0};
 }
 
 }  // namespace
@@ -59,8 +59,10 @@ void BoundaryConditions::apply(double time, const Mixture& mixture, Actions& act
     const Traction& traction = tractions_[k];
     if (time < traction.start) continue;
     const double share = ramp_share(time, traction.start, traction.ramp);
+    const Point face = face_of(traction.where.place);
     for (const std::size_t p : traction_particles_[k]) {
-      actions.tractions.push_back({p, share * traction.traction[0], share * traction.traction[1]});
+      actions.tractions.push_back({p, share * traction.traction[0], share * traction.traction[1], face[0] * spacing_,
+                                   face[1] * spacing_});
     }
   }
 }
@@ -78,7 +80,7 @@ void BoundaryConditions::add_water(std::size_t boundary, double share, const Mix
   const WaterBoundary& condition = water_[boundary];
   const auto index = static_cast<std::uint32_t>(boundary);
   const double unit_weight = mixture.water.water().unit_weight();
-  const double rise = face_rise(condition.where.place) * spacing_;
+  const double rise = face_of(condition.where.place)[1] * spacing_;
   for (const std::size_t p : water_particles_[boundary]) {
     const auto particle = static_cast<std::uint32_t>(p);
     if (const auto* flux = std::get_if<PrescribedFlux>(&condition.condition)) {

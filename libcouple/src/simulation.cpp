@@ -138,8 +138,8 @@ void Simulation::State::step() {
   const double next = next_stop();
   clock_factor = clock.factor(time, next, time_step);
   const double water_step = clock_factor * time_step;
-  // the last step up to what is due ends there to the last digit
-  const double after = time + water_step > next * (1.0 - 1.0e-14) ? next : time + water_step;
+  // the last step up to what is due ends there to the last digit, so that no sliver of a step is left
+  const double after = time + 1.000001 * water_step > next ? next : time + water_step;
   conditions.apply(after, mixture, actions);
   const auto report = scheme.step(mixture, actions, time_step, clock_factor, clock.damping(clock_factor));
   time = after;

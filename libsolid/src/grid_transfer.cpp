@@ -49,6 +49,29 @@ void MaterialPointMethod::find_weights() {
 template void MaterialPointMethod::find_weights<QuadraticBSpline>();
 template void MaterialPointMethod::find_weights<Linear>();
 
+template <class Shape>
+void MaterialPointMethod::add_tractions(std::span<const ParticleTraction> tractions) {
+  require(tractions.empty() || settings_.particle_spacing > 0.0, "tractions need a particle spacing");
+  const double inverse = 1.0 / grid_.cell_size;
+  // a face on the box's upper or right side is just inside
+  const auto inside = [](double position, int cells) { return std::clamp(position, 0.0, cells * (1.0 - 1.0e-12)); };
+  for (const ParticleTraction& traction : tractions) {
+    const double fx = (particles_.x[traction.particle] + traction.face_x - grid_.lower[0]) * inverse;
+    const double fy = (particles_.y[traction.particle] + traction.face_y - grid_.lower[1]) * inverse;
+    const AxisWeights x = Shape::weights(inside(fx, grid_.columns), inverse);
+    const AxisWeights y = Shape::weights(inside(fy, grid_.rows), inverse);
+    const Eigen::Array2d force = settings_.particle_spacing * Eigen::Array2d(traction.x, traction.y);
+    for (int b = 0; b < 3; ++b) {
+      for (int a = 0; a < 3; ++a) {
+        node_[grid_.node(x.first + a, y.first + b)].force += x.value[a] * y.value[b] * force;
+      }
+    }
+  }
+}
+
+template void MaterialPointMethod::add_tractions<QuadraticBSpline>(std::span<const ParticleTraction>);
+template void MaterialPointMethod::add_tractions<Linear>(std::span<const ParticleTraction>);
+
 void MaterialPointMethod::sort_into_cells() {
   constexpr std::size_t rows_per_band = 3;  // a cell reaches the nodes of the cells beside it, see for_each_cell()
   const std::size_t columns = std::size_t(grid_.columns);

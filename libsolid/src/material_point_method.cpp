@@ -83,25 +83,17 @@ void MaterialPointMethod::predict(double dt, const PoreState& pore, std::span<co
   sort_into_cells();
   sum_cell_gradients();
   scatter(pore);
-  add_tractions(tractions);
+  if (settings_.shape_function == ShapeFunction::quadratic_bspline) {
+    add_tractions<QuadraticBSpline>(tractions);
+  } else {
+    add_tractions<Linear>(tractions);
+  }
   fold_walls();
   if (!pore.pressure.empty()) {
     find_pressure_force(pore.pressure);
     for (std::size_t i = 0; i < node_.size(); ++i) node_[i].force += pressure_force_[i];
   }
   update_velocity(dt, damping);
-}
-
-void MaterialPointMethod::add_tractions(std::span<const ParticleTraction> tractions) {
-  require(tractions.empty() || settings_.particle_spacing > 0.0, "tractions need a particle spacing");
-  const std::size_t columns = std::size_t(grid_.node_columns());
-  for (const ParticleTraction& traction : tractions) {
-    const ParticleWeights& w = weights_[traction.particle];
-    const Eigen::Array2d force = settings_.particle_spacing * Eigen::Array2d(traction.x, traction.y);
-    for (std::size_t b = 0; b < 3; ++b) {
-      for (std::size_t a = 0; a < 3; ++a) node_[w.node + b * columns + a].force += w.nx[a] * w.ny[b] * force;
-    }
-  }
 }
 
 void MaterialPointMethod::update_velocity(double dt, double damping) {

@@ -43,11 +43,13 @@ struct PoreState {
   std::span<const double> water_mass;  ///< n S_r rho_w V (kg/m), the water that moves with the skeleton
 };
 
-/// A traction on one particle (Pa).
+/// A traction on the face of one particle.
 struct ParticleTraction {
   std::size_t particle = 0;
-  double x = 0.0;
-  double y = 0.0;
+  double x = 0.0;         ///< (Pa)
+  double y = 0.0;         ///< (Pa)
+  double face_x = 0.0;    ///< where the face lies, seen from the particle (m); at the particle itself, as Eq. 17 has it, a
+  double face_y = 0.0;    ///< load acts half a spacing too deep
 };
 
 /// What one step moves.
@@ -150,6 +152,7 @@ class MaterialPointMethod {
   template <class Visit>
   void for_each_cell(const Visit& visit) const;
   void scatter(const PoreState& pore);
+  template <class Shape>
   void add_tractions(std::span<const ParticleTraction> tractions);
   void fold_walls();
   void hold_walls();
