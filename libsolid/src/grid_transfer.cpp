@@ -51,7 +51,6 @@ template void MaterialPointMethod::find_weights<Linear>();
 
 template <class Shape>
 void MaterialPointMethod::add_tractions(std::span<const ParticleTraction> tractions) {
-  require(tractions.empty() || settings_.particle_spacing > 0.0, "tractions need a particle spacing");
   const double inverse = 1.0 / grid_.cell_size;
   // a face on the box's upper or right side is just inside
   const auto inside = [](double position, int cells) { return std::clamp(position, 0.0, cells * (1.0 - 1.0e-12)); };

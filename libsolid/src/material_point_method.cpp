@@ -75,6 +75,7 @@ void MaterialPointMethod::stop() {
 
 void MaterialPointMethod::predict(double dt, const PoreState& pore, std::span<const ParticleTraction> tractions,
                                   double damping) {
+  require(tractions.empty() || settings_.particle_spacing > 0.0, "tractions need a particle spacing");
   if (settings_.shape_function == ShapeFunction::quadratic_bspline) {
     find_weights<QuadraticBSpline>();
   } else {
