@@ -104,6 +104,7 @@ void MaterialPointMethod::scatter(const PoreState& pore) {
       const std::size_t p = cell_particles_[s];
       const ParticleWeights w = weights_[p];
       const double mass = particles_.solid_mass[p] + (pore.water_mass.empty() ? 0.0 : pore.water_mass[p]);
+      mass_[p] = mass;
       const double volume = particles_.volume[p];
       // momentum at node (a, b): corner + a along_row + b along_column
       Array2d corner = mass * Array2d(particles_.vx[p], particles_.vy[p]);
@@ -169,13 +170,12 @@ void MaterialPointMethod::gather(double dt, const StepMode& mode) {
     if constexpr (affine) {
       particles_.vx[p] = velocity.x();
       particles_.vy[p] = velocity.y();
-      // hat functions: the moment over the moment of inertia is the velocity gradient itself
-      const Array2d cx = linear ? gradient_x : affine_scale * moment_x;
-      const Array2d cy = linear ? gradient_y : affine_scale * moment_y;
-      particles_.cxx[p] = cx.x();
-      particles_.cyx[p] = cx.y();
-      particles_.cxy[p] = cy.x();
-      particles_.cyy[p] = cy.y();
+      if (!linear) {
+        particles_.cxx[p] = affine_scale * moment_x.x();
+        particles_.cyx[p] = affine_scale * moment_x.y();
+        particles_.cxy[p] = affine_scale * moment_y.x();
+        particles_.cyy[p] = affine_scale * moment_y.y();
+      }
     } else {
       particles_.vx[p] = flip * (particles_.vx[p] + change.x()) + (1.0 - flip) * velocity.x();
       particles_.vy[p] = flip * (particles_.vy[p] + change.y()) + (1.0 - flip) * velocity.y();
@@ -191,5 +191,50 @@ void MaterialPointMethod::gather(double dt, const StepMode& mode) {
 
 template void MaterialPointMethod::gather<true>(double, const StepMode&);
 template void MaterialPointMethod::gather<false>(double, const StepMode&);
+
+// Linear shape functions: the gradient does not vanish with the shape function, so a node that a particle just touches
+// would strain the soil without bound. The strain therefore comes from the particles' new velocities, mapped to the
+// grid once more ("modified update stress last", Sulsky et al. 1995); so does the affine field, which over hat
+// functions is the velocity gradient itself.
+void MaterialPointMethod::remap_velocity() {
+  using Eigen::Array2d;
+  const std::size_t columns = std::size_t(grid_.node_columns());
+  const double h = grid_.cell_size;
+  const bool affine = settings_.flip_fraction < 0.0;
+  std::fill(velocity_.begin(), velocity_.end(), Array2d::Zero());
+  for_each_cell([&](std::size_t c) {
+    for (std::size_t s = cells_[c].particle; s < cells_[c + 1].particle; ++s) {
+      const std::size_t p = cell_particles_[s];
+      const ParticleWeights& w = weights_[p];
+      const Array2d velocity(particles_.vx[p], particles_.vy[p]);
+      const Array2d cx(particles_.cxx[p], particles_.cyx[p]), cy(particles_.cxy[p], particles_.cyy[p]);
+      for (std::size_t b = 0; b < 2; ++b) {
+        for (std::size_t a = 0; a < 2; ++a) {
+          const double share = w.nx[a] * w.ny[b] * mass_[p];
+          const Array2d arm(w.dx + double(a) * h, w.dy + double(b) * h);
+          velocity_[w.node + b * columns + a] += share * (velocity + cx * arm.x() + cy * arm.y());
+        }
+      }
+    }
+  });
+  for (std::size_t i = 0; i < node_.size(); ++i) {
+    velocity_[i] = (response_[i] > 0.0).select(velocity_[i] / node_[i].mass, 0.0);
+  }
+#pragma omp parallel for schedule(static) num_threads(settings_.threads) if (settings_.threads > 1)
+  for (std::size_t p = 0; p < particles_.size(); ++p) {
+    const ParticleWeights& w = weights_[p];
+    const Array2d* v = velocity_.data() + w.node;
+    const Array2d* above = v + columns;
+    const Array2d x = w.gx[0] * (w.ny[0] * v[0] + w.ny[1] * above[0]) + w.gx[1] * (w.ny[0] * v[1] + w.ny[1] * above[1]);
+    const Array2d y = w.gy[0] * (w.nx[0] * v[0] + w.nx[1] * v[1]) + w.gy[1] * (w.nx[0] * above[0] + w.nx[1] * above[1]);
+    velocity_gradient_[p] = {x.x(), y.x(), x.y(), y.y()};
+    if (affine) {
+      particles_.cxx[p] = x.x();
+      particles_.cyx[p] = x.y();
+      particles_.cxy[p] = y.x();
+      particles_.cyy[p] = y.y();
+    }
+  }
+}
 
 }  // namespace slope::solid

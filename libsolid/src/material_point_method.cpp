@@ -49,6 +49,7 @@ MaterialPointMethod::MaterialPointMethod(const Grid& grid, std::vector<Soil> soi
   cell_of_.resize(n);
   cell_particles_.resize(n);
   velocity_gradient_.resize(n);
+  mass_.resize(n);
   cell_start_.resize(grid_.cell_count() + 1);
   node_.resize(grid_.node_count());
   for (auto* field : {&old_velocity_, &velocity_, &response_, &pressure_force_}) {
@@ -125,6 +126,7 @@ void MaterialPointMethod::advance(double dt, std::span<const double> suction, co
   } else {
     gather<false>(dt, mode);
   }
+  if (settings_.shape_function == ShapeFunction::linear) remap_velocity();
   update_stress(dt, suction, mode);
   check();
 }
@@ -139,9 +141,9 @@ void MaterialPointMethod::check() const {
     if (!std::isfinite(sum) || !(f.volume[p] > 0.0)) bad = std::min(bad, p);
   }
   if (bad == n) return;
-  if (!(f.volume[bad] > 0.0)) throw SolidError(bad, "volume (m2)", f.volume[bad]);
   const double velocity = f.vx[bad] + f.vy[bad];
   if (!std::isfinite(velocity)) throw SolidError(bad, "velocity (m/s)", velocity);
+  if (!(f.volume[bad] > 0.0)) throw SolidError(bad, "volume (m2)", f.volume[bad]);
   throw SolidError(bad, "effective stress (Pa)", f.sxx[bad] + f.syy[bad] + f.szz[bad] + f.sxy[bad]);
 }
 

@@ -164,6 +164,7 @@ class MaterialPointMethod {
   void find_cell_divergence(const std::vector<Eigen::Array2d>& velocity) const;
   template <bool affine>
   void gather(double dt, const StepMode& mode);
+  void remap_velocity();
   void update_stress(double dt, std::span<const double> suction, const StepMode& mode);
   void check() const;
 
@@ -175,6 +176,7 @@ class MaterialPointMethod {
   Balance balance_;
 
   std::vector<ParticleWeights> weights_;
+  std::vector<double> mass_;                 // of each particle, with its water (kg/m)
   std::vector<std::size_t> grid_cell_of_;    // of each particle
   std::vector<std::size_t> cell_of_;         // index in cells_ of each particle
   std::vector<std::size_t> cell_start_;      // into cell_particles_, per grid cell
