@@ -48,8 +48,20 @@ void stroke_water_level(Canvas& canvas, const std::vector<std::vector<Pixel>>& l
   }
 }
 
+/// Whether some particles have less and others more than a value: only then is there a line to draw.
+bool passes(vtkPolyData* particles, const char* name, double value) {
+  auto* array = particle_array(particles, name);
+  bool below = false;
+  bool above = false;
+  for (vtkIdType p = 0; p < particles->GetNumberOfPoints(); ++p) {
+    (array->GetComponent(p, 0) < value ? below : above) = true;
+  }
+  return below && above;
+}
+
 bool shows_failure_zone(const ContourPanel& panel) {
-  return panel.failure_strain.has_value() && panel.field.array == strain_array;
+  return panel.failure_strain.has_value() && panel.field.array == strain_array &&
+         passes(panel.particles, strain_array, *panel.failure_strain);
 }
 
 void draw_field(Canvas& canvas, const PlotFrame& frame, const FieldImage& image, const ContourPanel& panel) {
@@ -139,7 +151,10 @@ struct LegendEntry {
 };
 
 std::vector<LegendEntry> legend_entries(const Canvas& canvas, const ContourPanel& panel) {
-  std::vector<LegendEntry> entries{{"water level (P_{w} = 0)", {casing(canvas), water_line(canvas)}}};
+  std::vector<LegendEntry> entries;
+  if (passes(panel.particles, pressure_array, level_pressure)) {
+    entries.push_back({"water level (P_{w} = 0)", {casing(canvas), water_line(canvas)}});
+  }
   if (shows_failure_zone(panel)) {
     const double percent = 100.0 * *panel.failure_strain;
     entries.push_back(
@@ -315,11 +330,11 @@ void write_tall_picture(const std::filesystem::path& file, int width, const Cont
   const Canvas measure(picture_width, 1, em);
   auto lines = wrapped(measure, panel.title, text_width);
   lines.push_back(panel.caption);
-  const int legend_lines = shows_failure_zone(panel) ? 2 : 1;
+  const std::size_t legend_lines = legend_entries(measure, panel).size();
 
   const double bottom = std::round(3.1 * em);
   const double line_height = 1.5 * em;
-  const double above = (static_cast<double>(lines.size()) + legend_lines) * line_height + 1.6 * em;
+  const double above = static_cast<double>(lines.size() + legend_lines) * line_height + 1.6 * em;
   Canvas canvas(picture_width, static_cast<int>(bottom + plot_height + above), em);
   double row = canvas.height() - 1.05 * em;
   for (const auto& line : lines) {

@@ -343,10 +343,12 @@ std::vector<FieldImage::Line> FieldImage::outline() const {
 }
 
 std::vector<FieldImage::Line> FieldImage::iso_lines(const std::string& field, double value) const {
+  const double across = grid_.upper[0] - grid_.lower[0];  // a line across a narrow column is no speck
+  const double shortest = std::min(shortest_line * spacing_, 0.5 * across);
   std::vector<Line> pieces;
   for (const Line& line : contour(field, value)) {
     for (auto& piece : split_where(line, [this](const auto& x) { return inside(x); })) {
-      if (length(piece) > shortest_line * spacing_) {
+      if (length(piece) > shortest) {
         pieces.push_back(std::move(piece));
       }
     }
@@ -375,9 +377,10 @@ std::vector<FieldImage::Line> FieldImage::without_surface(const std::vector<Line
       }
       begin = end;
     }
+    const bool cut = std::find(shallow.begin(), shallow.end(), true) != shallow.end();
     std::size_t i = 0;
     for (auto& piece : split_where(line, [&](const auto&) { return !shallow[i++]; })) {
-      if (length(piece) > longest_crossing * spacing_) {
+      if (!cut || length(piece) > longest_crossing * spacing_) {
         kept.push_back(std::move(piece));
       }
     }

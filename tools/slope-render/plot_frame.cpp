@@ -89,13 +89,19 @@ void draw_axes(Canvas& canvas, const PlotFrame& frame, const Axis& x, const Axis
   const LineStyle line{line_width(canvas), ink, {}};
   const LineStyle faint{line_width(canvas), grid_colour, {}};
   const Box& box = frame.box;
-  for (const double value : multiples(frame.x, x.step)) {
+  const auto x_ticks = multiples(frame.x, x.step);
+  // Two numbers below a narrow frame stand outside of it.
+  const bool crowded = x_ticks.size() == 2 && box.width() < widest_number(canvas, frame.x, x.step) + 0.4 * em;
+  for (const double value : x_ticks) {
     const double place = frame.at(value, frame.y.low).x;
     if (grid) {
       canvas.stroke({{place, box.bottom}, {place, box.top}}, faint);
     }
     canvas.stroke({{place, box.bottom}, {place, box.bottom - tick_length * em}}, line);
-    canvas.text({place, box.bottom - (number_gap + 0.45) * em}, number_text(value, x.step), {.anchor = Anchor::centre});
+    const Anchor anchor = !crowded ? Anchor::centre : value == x_ticks.front() ? Anchor::right : Anchor::left;
+    const double outwards = !crowded ? 0.0 : anchor == Anchor::right ? 0.3 * em : -0.3 * em;
+    canvas.text({place + outwards, box.bottom - (number_gap + 0.45) * em}, number_text(value, x.step),
+                {.anchor = anchor});
   }
   for (const double value : multiples(frame.y, y.step)) {
     const double place = frame.at(frame.x.low, value).y;
