@@ -22,9 +22,9 @@ PoreFlow::PoreFlow(std::vector<Soil> soils, const Water& water, std::span<const 
       pressure_(pressure.begin(), pressure.end()) {
   const std::size_t n = pressure_.size();
   for (std::size_t p = 0; p < n; ++p) particles_of_soil_[soil_[p]].push_back(static_cast<std::uint32_t>(p));
-  for (auto* v : {&suction_, &saturation_, &pore_stress_, &capacity_, &conductivity_, &head_, &content_, &defect_,
-                  &change_, &stress_change_, &last_rate_, &storage_, &right_side_, &diagonal_, &outflow_, &work_,
-                  &work2_}) {
+  for (auto* v :
+       {&suction_, &saturation_, &pore_stress_, &capacity_, &conductivity_, &head_, &content_, &defect_, &change_,
+        &stress_change_, &last_rate_, &storage_, &right_side_, &diagonal_, &outflow_, &work_, &work2_}) {
     v->assign(n, 0.0);
   }
   is_held_.assign(n, 0);
@@ -33,7 +33,9 @@ PoreFlow::PoreFlow(std::vector<Soil> soils, const Water& water, std::span<const 
   for (std::size_t p = 0; p < n; ++p) content_[p] = water_of(p, skeleton);
 }
 
-void PoreFlow::follow(const Skeleton& skeleton) { pattern_known_ = !operator_.update(skeleton) && pattern_known_; }
+void PoreFlow::follow(const Skeleton& skeleton) {
+  pattern_known_ = !operator_.update(skeleton) && pattern_known_;
+}
 
 // S_r, dS_r/dP_w, k k_rw and S_r P_w at the present pressure (paper, Eqs. 8-10).
 void PoreFlow::evaluate_soil() {
@@ -70,15 +72,19 @@ double PoreFlow::water_of(std::size_t p, const Skeleton& skeleton) const {
   return skeleton.porosity[p] * saturation_[p] * skeleton.volume[p] * (1.0 + pressure_[p] / water_.bulk_modulus);
 }
 
-// Half a spacing of soil between the face and its particle, at the mean of their conductivities.
+// Half a spacing of soil between the face and its particle; its mean conductivity is the integral over the pressure
+// from one to the other, by Simpson's rule.
 double PoreFlow::face_conductance(const FacePressure& face) const {
   const Soil& soil = soils_[soil_[face.particle]];
-  const double suction_head = -face.pressure / water_.unit_weight();
-  const double saturation =
-      std::visit([&](const auto& law) { return law.evaluate(suction_head).saturation; }, soil.retention);
-  const double at_face =
-      soil.hydraulic_conductivity * soil.relative_permeability.evaluate(suction_head, saturation);
-  return 0.5 * (at_face + conductivity_[face.particle]) * face.area / face.distance;
+  const auto conductivity = [&](double pressure) {
+    const double suction_head = -pressure / water_.unit_weight();
+    const double saturation =
+        std::visit([&](const auto& law) { return law.evaluate(suction_head).saturation; }, soil.retention);
+    return soil.hydraulic_conductivity * soil.relative_permeability.evaluate(suction_head, saturation);
+  };
+  const double middle = conductivity(0.5 * (face.pressure + pressure_[face.particle]));
+  const double mean = (conductivity(face.pressure) + 4.0 * middle + conductivity_[face.particle]) / 6.0;
+  return mean * face.area / face.distance;
 }
 
 double PoreFlow::face_inflow(const FacePressure& face, double head) const {

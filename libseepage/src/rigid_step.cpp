@@ -83,9 +83,9 @@ SolveReport PoreFlow::advance(double time_step, const Skeleton& skeleton, const 
     operator_.apply(change_, work_);
     assemble(flow_scale);
     for (std::size_t p = 0; p < n; ++p) {
-      b[static_cast<Eigen::Index>(p)] =
-          is_held_[p] != 0 ? (storage_[p] + flow_scale * operator_.diagonal()[p]) * change_[p]
-                           : right_side_[p] - flow_scale * work_[p];
+      b[static_cast<Eigen::Index>(p)] = is_held_[p] != 0
+                                            ? (storage_[p] + flow_scale * operator_.diagonal()[p]) * change_[p]
+                                            : right_side_[p] - flow_scale * work_[p];
     }
     factorisation_.factorize(matrix_);
     ++report.iterations;

@@ -17,10 +17,10 @@ struct HeldPressure {
 struct FacePressure {
   std::uint32_t particle = 0;
   std::uint32_t boundary = 0;
-  double pressure = 0.0;   ///< P_w at the face at the end of the step (Pa)
-  double rise = 0.0;       ///< height of the face above the particle (m), negative below
-  double distance = 0.0;   ///< of the face from the particle (m), > 0
-  double area = 0.0;       ///< of the face per metre of thickness (m), > 0
+  double pressure = 0.0;  ///< P_w at the face at the end of the step (Pa)
+  double rise = 0.0;      ///< height of the face above the particle (m), negative below
+  double distance = 0.0;  ///< of the face from the particle (m), > 0
+  double area = 0.0;      ///< of the face per metre of thickness (m), > 0
 };
 
 /// Water that enters a particle (m2/s per metre of thickness), positive inwards.

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "slope/seepage/images.hpp"
 #include "slope/seepage/kernel.hpp"
 #include "slope/seepage/neighbours.hpp"
 #include "slope/seepage/skeleton.hpp"
@@ -12,13 +13,14 @@ namespace slope::seepage {
 
 /// The pairwise, conservative SPH operator of the hydraulic head h = P_w / gamma_w + y:
 ///
-///     (L h)_p = sum_q g_pq (K_p + K_q) / 2 (h_p - h_q),   g_pq = g_qp >= 0,
+///     (L h)_p = sum_q g_pq K_pq (h_p - h_q),   g_pq = g_qp > 0,   K_pq = (K_p + 4 sqrt(K_p K_q) + K_q) / 6,
 ///
-/// the outflow of particle p (m2/s per metre of thickness). Symmetric and positive semidefinite; what leaves p enters q;
-/// a uniform head does not flow. g_pq = 2 V_p V_q F_pq e.(B_p + B_q).e / 2, with e along the pair and tensors B_p that
-/// give every particle the right second moment sum_q V_q F_pq (e.B.e) r r = I: the conductivity is exact in all
-/// directions on any lattice. At walls the mirror images of the neighbours are part of the sums, which makes the wall
-/// impermeable. At a free surface the moment along the surface is made exact, that across it keeps its truncated half.
+/// the outflow of particle p (m2/s per metre of thickness). Symmetric and positive semidefinite; what leaves p enters
+/// q; a uniform head does not flow. g_pq = 2 V_p V_q F_pq c_pq, F = -W'/r, with a MomentCorrection c that makes
+/// conduction exact in all directions on any lattice, and linear heads flow without residual, up to a free surface.
+/// K_pq is Simpson's rule for the mean between the particles, with the geometric mean in the middle: exact to fourth
+/// order where k_rw is exponential in suction. At walls the mirror images of the neighbours are part of the sums, which
+/// makes the wall impermeable.
 class HeadOperator {
  public:
   /// @param spacing  particle spacing (m); @param smoothing_ratio  smoothing length over spacing (-)
@@ -45,25 +47,19 @@ class HeadOperator {
                 std::span<double> dy) const;
 
  private:
-  struct Tensor {
-    double xx, xy, yy;
-  };
   void find_pair_factors(const Skeleton& skeleton);
-  template <class Visit>
-  void visit_images(const Skeleton& skeleton, std::size_t p, std::size_t q, Visit&& visit) const;
-  [[nodiscard]] std::vector<Tensor> target_moments(const Skeleton& skeleton) const;
-  void correct_moments(const Skeleton& skeleton, const std::vector<Tensor>& target, std::vector<Tensor>& tensor) const;
 
   double spacing_;
   WendlandC2 kernel_;
   MirrorWalls walls_;
   int threads_;
-  double lattice_scale_ = 1.0;  // makes the moment of the regular lattice the unit tensor
-  double flat_surface_ = 1.0;   // |sum V F r| of the outermost particles of a flat lattice surface
+  double lattice_scale_;
   Neighbours neighbours_;
+  Images images_;
   std::vector<double> x_weighted_, y_weighted_;  // positions when the pair factors were worked out
   std::vector<double> factor_;                   // g_pq
-  std::vector<double> conductance_;              // g_pq (K_p + K_q) / 2
+  std::vector<double> conductance_;              // g_pq K_pq
+  std::vector<double> root_conductivity_;
   std::vector<double> diagonal_;
 };
 

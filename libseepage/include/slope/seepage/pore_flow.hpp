@@ -32,18 +32,18 @@ struct FlowSettings {
   double spacing = 0.0;          ///< particle spacing (m), > 0
   double smoothing_ratio = 1.2;  ///< smoothing length over spacing (-)
   MirrorWalls walls;
-  int threads = 1;               ///< >= 1; results do not depend on it
+  int threads = 1;  ///< >= 1; results do not depend on it
 };
 
 /// What one solution came to.
 struct SolveReport {
-  int iterations = 0;             ///< of conjugate gradients, or of Newton's method
-  double largest_change = 0.0;    ///< of the pressure (Pa)
+  int iterations = 0;           ///< of conjugate gradients, or of Newton's method
+  double largest_change = 0.0;  ///< of the pressure (Pa)
   bool converged = true;
 };
 
-/// Pore water on particles: generalised Darcy flow, retention, and mass balance (paper, Eqs. 4-10), implicit in time and
-/// exact in mass.
+/// Pore water on particles: generalised Darcy flow, retention, and mass balance (paper, Eqs. 4-10), implicit in time
+/// and exact in mass.
 ///
 /// With a moving skeleton, a step is: follow(); solve() for the pressure change, with the volume change that the
 /// skeleton makes on its own and the one that it makes in response; then, when the skeleton has moved, finish(), which
@@ -63,8 +63,8 @@ class PoreFlow {
   ///     [V (n S_r/K_w + C_s) + t L/gamma_w + S_r R S_r] dP = -S_r V e - t L h + boundary terms + defect
   ///
   /// by conjugate gradients with diagonal preconditioner, started from the previous step's solution.
-  /// @param time_step  t (s), > 0; @param strain  volumetric strain e of the skeleton at unchanged pressure (-), expansion
-  /// positive; @param response  R; @param tolerance  reduction of the residual, in (0, 1)
+  /// @param time_step  t (s), > 0; @param strain  volumetric strain e of the skeleton at unchanged pressure (-),
+  /// expansion positive; @param response  R; @param tolerance  reduction of the residual, in (0, 1)
   template <VolumeResponse Response>
   SolveReport solve(double time_step, const Skeleton& skeleton, std::span<const double> strain,
                     const Boundary& boundary, const Response& response, double tolerance);

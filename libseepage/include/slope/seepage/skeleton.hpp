@@ -19,10 +19,10 @@ struct Skeleton {
 
 /// Straight impermeable walls, at which the particles see their mirror images. Infinite: no wall there.
 struct MirrorWalls {
-  double left = -std::numeric_limits<double>::infinity();   ///< x (m)
-  double right = std::numeric_limits<double>::infinity();   ///< x (m)
-  double base = -std::numeric_limits<double>::infinity();   ///< y (m)
-  double top = std::numeric_limits<double>::infinity();     ///< y (m)
+  double left = -std::numeric_limits<double>::infinity();  ///< x (m)
+  double right = std::numeric_limits<double>::infinity();  ///< x (m)
+  double base = -std::numeric_limits<double>::infinity();  ///< y (m)
+  double top = std::numeric_limits<double>::infinity();    ///< y (m)
 };
 
 }  // namespace slope::seepage
