@@ -199,21 +199,15 @@ template void MaterialPointMethod::gather<false>(double, const StepMode&);
 void MaterialPointMethod::remap_velocity() {
   using Eigen::Array2d;
   const std::size_t columns = std::size_t(grid_.node_columns());
-  const double h = grid_.cell_size;
   const bool affine = settings_.flip_fraction < 0.0;
   std::fill(velocity_.begin(), velocity_.end(), Array2d::Zero());
   for_each_cell([&](std::size_t c) {
     for (std::size_t s = cells_[c].particle; s < cells_[c + 1].particle; ++s) {
       const std::size_t p = cell_particles_[s];
       const ParticleWeights& w = weights_[p];
-      const Array2d velocity(particles_.vx[p], particles_.vy[p]);
-      const Array2d cx(particles_.cxx[p], particles_.cyx[p]), cy(particles_.cxy[p], particles_.cyy[p]);
+      const Array2d momentum = mass_[p] * Array2d(particles_.vx[p], particles_.vy[p]);
       for (std::size_t b = 0; b < 2; ++b) {
-        for (std::size_t a = 0; a < 2; ++a) {
-          const double share = w.nx[a] * w.ny[b] * mass_[p];
-          const Array2d arm(w.dx + double(a) * h, w.dy + double(b) * h);
-          velocity_[w.node + b * columns + a] += share * (velocity + cx * arm.x() + cy * arm.y());
-        }
+        for (std::size_t a = 0; a < 2; ++a) velocity_[w.node + b * columns + a] += w.nx[a] * w.ny[b] * momentum;
       }
     }
   });

@@ -134,17 +134,24 @@ void MaterialPointMethod::advance(double dt, std::span<const double> suction, co
 void MaterialPointMethod::check() const {
   const std::size_t n = particles_.size();
   const Particles& f = particles_;
-  std::size_t bad = n;
-#pragma omp parallel for schedule(static) num_threads(settings_.threads) if (settings_.threads > 1) reduction(min : bad)
+  const auto velocity = [&f](std::size_t p) { return f.vx[p] + f.vy[p]; };
+  const auto stress = [&f](std::size_t p) { return f.sxx[p] + f.syy[p] + f.szz[p] + f.sxy[p]; };
+  std::size_t bad = 0;
+#pragma omp parallel for schedule(static) num_threads(settings_.threads) if (settings_.threads > 1) reduction(+ : bad)
   for (std::size_t p = 0; p < n; ++p) {
-    const double sum = f.vx[p] + f.vy[p] + f.sxx[p] + f.syy[p] + f.szz[p] + f.sxy[p];
-    if (!std::isfinite(sum) || !(f.volume[p] > 0.0)) bad = std::min(bad, p);
+    if (!std::isfinite(velocity(p) + stress(p)) || !(f.volume[p] > 0.0)) ++bad;
   }
-  if (bad == n) return;
-  const double velocity = f.vx[bad] + f.vy[bad];
-  if (!std::isfinite(velocity)) throw SolidError(bad, "velocity (m/s)", velocity);
-  if (!(f.volume[bad] > 0.0)) throw SolidError(bad, "volume (m2)", f.volume[bad]);
-  throw SolidError(bad, "effective stress (Pa)", f.sxx[bad] + f.syy[bad] + f.szz[bad] + f.sxy[bad]);
+  if (bad == 0) return;
+  // what comes first in the step is nearest to the cause
+  for (std::size_t p = 0; p < n; ++p) {
+    if (!std::isfinite(velocity(p))) throw SolidError(p, "velocity (m/s)", velocity(p));
+  }
+  for (std::size_t p = 0; p < n; ++p) {
+    if (!(f.volume[p] > 0.0)) throw SolidError(p, "volume (m2)", f.volume[p]);
+  }
+  for (std::size_t p = 0; p < n; ++p) {
+    if (!std::isfinite(stress(p))) throw SolidError(p, "effective stress (Pa)", stress(p));
+  }
 }
 
 }  // namespace slope::solid
