@@ -21,6 +21,7 @@ namespace {
 constexpr std::array displacement_marks{0.01, 0.02, 0.05, 0.10, 0.30, 1.00};  // m
 constexpr double zone_mark = 0.10;    // m: displacement at which the failure zone is reported for comparison
 constexpr int steps_per_call = 200;   // after which advance() returns even if nothing is due
+constexpr double sliver = 1.0e-6;     // share of a step by which two times may differ and be the same
 
 InitialParticles fill(const Case& input) {
   InitialParticles particles = fill_regions(input.domain, input.regions);
@@ -78,7 +79,6 @@ struct Simulation::State {
       snapshot_times.push_back(t);
     }
     std::ranges::sort(snapshot_times);
-    next_history = input.output.history_interval;
     result.end_reason = "running";
     result.onset_criterion = input.onset_displacement;
     result.particles = particles.x.size();
@@ -93,6 +93,10 @@ struct Simulation::State {
         std::max(result.pressure_checkerboard, pressure_checkerboard(mixture.water.head_operator(),
                                                                      mixture.skeleton(), mixture.water.pressure()));
   }
+  [[nodiscard]] double history_time(std::size_t row) const {
+    return static_cast<double>(row) * input.output.history_interval;
+  }
+  [[nodiscard]] bool due(double t) const { return t <= time + sliver * time_step; }
   [[nodiscard]] double next_stop() const;
   [[nodiscard]] FailureZone zone() const {
     return find_failure_zone(mixture.soil.particles(), mixture.water.suction(), surface, particles.spacing,
@@ -117,7 +121,7 @@ struct Simulation::State {
   std::size_t farthest_particle = 0;
   std::size_t steps = 0;
   std::size_t pressure_iterations = 0;
-  double next_history = 0.0;
+  std::size_t history_rows = 1;  // due so far; the first is that of the start
   std::vector<double> snapshot_times;
   std::size_t next_snapshot = 0;
   bool onset_snapshot_due = false;
@@ -126,9 +130,10 @@ struct Simulation::State {
   Summary result;
 };
 
-// The earliest time at which something is due.
+// The earliest time after the present one at which something is due.
 double Simulation::State::next_stop() const {
-  double next = std::min({input.stop.time, next_history, clock.next_change(time)});
+  double next = std::min(input.stop.time, clock.next_change(time + sliver * time_step));
+  next = std::min(next, history_time(history_rows));
   if (next_snapshot < snapshot_times.size()) next = std::min(next, snapshot_times[next_snapshot]);
   if (result.onset_time) next = std::min(next, *result.onset_time + input.stop.after_onset);
   return next;
@@ -138,8 +143,8 @@ void Simulation::State::step() {
   const double next = next_stop();
   clock_factor = clock.factor(time, next, time_step);
   const double water_step = clock_factor * time_step;
-  // the last step up to what is due ends there to the last digit, so that no sliver of a step is left
-  const double after = time + 1.000001 * water_step > next ? next : time + water_step;
+  // the last step up to what is due ends there to the last digit
+  const double after = time + (1.0 + sliver) * water_step > next ? next : time + water_step;
   conditions.apply(after, mixture, actions);
   const auto report = scheme.step(mixture, actions, time_step, clock_factor, clock.damping(clock_factor));
   time = after;
@@ -189,11 +194,11 @@ void Simulation::State::check_end() {
     finished = true;
     result.end_reason = reason;
   };
-  if (time >= input.stop.time) {
+  if (due(input.stop.time)) {
     end("time");
   } else if (largest_displacement >= input.stop.displacement) {
     end("displacement");
-  } else if (result.onset_time && time >= *result.onset_time + input.stop.after_onset) {
+  } else if (result.onset_time && due(*result.onset_time + input.stop.after_onset)) {
     end("after_onset");
   }
 }
@@ -229,9 +234,8 @@ Event Simulation::advance() {
   try {
     for (int k = 0; k < steps_per_call && !s.finished; ++k) {
       s.step();
-      event.history = s.time >= s.next_history;
-      while (s.next_history <= s.time) s.next_history += s.input.output.history_interval;
-      while (s.next_snapshot < s.snapshot_times.size() && s.snapshot_times[s.next_snapshot] <= s.time) {
+      for (; s.due(s.history_time(s.history_rows)); ++s.history_rows) event.history = true;
+      while (s.next_snapshot < s.snapshot_times.size() && s.due(s.snapshot_times[s.next_snapshot])) {
         ++s.next_snapshot;
         event.snapshot = true;
       }
