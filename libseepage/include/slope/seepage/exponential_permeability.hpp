@@ -1,0 +1,13 @@
+#pragma once
+
+namespace slope::seepage {
+
+/// Exponential in suction (Gardner 1958): k_rw = exp(-alpha h_s) for h_s > 0, and 1 for h_s <= 0.
+struct ExponentialPermeability {
+  double alpha = 0.0;  ///< (1/m), > 0
+
+  /// @param suction_head h_s (m), any sign; @param saturation S_r (-), not used; @return k_rw (-), before the floor.
+  [[nodiscard]] double evaluate(double suction_head, double saturation) const;
+};
+
+}  // namespace slope::seepage

@@ -1,0 +1,13 @@
+#pragma once
+
+namespace slope::seepage {
+
+/// Power of the degree of saturation (Hillel 1971); paper, Eq. 10: k_rw = S_r^L.
+struct HillelPower {
+  double exponent = 2.0;  ///< L (-), > 0; 2 to 4 as a rule
+
+  /// @param suction_head h_s (m), not used; @param saturation S_r (-), in [0, 1]; @return k_rw (-), before the floor.
+  [[nodiscard]] double evaluate(double suction_head, double saturation) const;
+};
+
+}  // namespace slope::seepage

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "slope/seepage/saturation.hpp"
+
+namespace slope::seepage {
+
+/// van Genuchten (1980) with the pore model of Mualem (1976):
+///
+///     k_rw = sqrt(S_e) (1 - (1 - S_e^(1/m))^m)^2,  m = 1 - 1/n
+///
+/// with the effective saturation S_e of the soil's retention curve.
+struct VanGenuchtenMualem {
+  double n = 0.0;         ///< n' (-), > 1
+  SaturationRange range;  ///< that of the retention curve
+
+  /// @param suction_head h_s (m), not used; @param saturation S_r (-), in [0, 1]; @return k_rw (-), before the floor.
+  [[nodiscard]] double evaluate(double suction_head, double saturation) const;
+};
+
+}  // namespace slope::seepage

@@ -1,0 +1,11 @@
+#include "slope/seepage/exponential_permeability.hpp"
+
+#include <cmath>
+
+namespace slope::seepage {
+
+double ExponentialPermeability::evaluate(double suction_head, double /*saturation*/) const {
+  return suction_head <= 0.0 ? 1.0 : std::exp(-alpha * suction_head);
+}
+
+}  // namespace slope::seepage

@@ -1,0 +1,13 @@
+#include "slope/seepage/exponential_retention.hpp"
+
+#include <cmath>
+
+namespace slope::seepage {
+
+Saturation ExponentialRetention::evaluate(double suction_head) const {
+  if (suction_head <= 0.0) return {range.maximum, 0.0};
+  const double effective = std::exp(-alpha * suction_head);
+  return range.scale(effective, -alpha * effective);
+}
+
+}  // namespace slope::seepage

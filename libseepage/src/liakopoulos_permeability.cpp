@@ -1,0 +1,12 @@
+#include "slope/seepage/liakopoulos_permeability.hpp"
+
+#include <cmath>
+
+namespace slope::seepage {
+
+double LiakopoulosPermeability::evaluate(double /*suction_head*/, double saturation) const {
+  const double dryness = 1.0 - saturation;
+  return 1.0 - coefficient * (exponent == 1.0 ? dryness : std::pow(dryness, exponent));
+}
+
+}  // namespace slope::seepage

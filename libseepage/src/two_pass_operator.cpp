@@ -1,0 +1,50 @@
+#include "slope/seepage/two_pass_operator.hpp"
+
+namespace slope::seepage {
+
+TwoPassOperator::TwoPassOperator(double spacing, double smoothing_ratio, const MirrorWalls& walls)
+    : kernel_(smoothing_ratio * spacing), walls_(walls), scale_(lattice_scale(kernel_, spacing)) {}
+
+void TwoPassOperator::update(const Skeleton& skeleton) {
+  neighbours_ = find_neighbours(skeleton.x, skeleton.y, kernel_.support());
+  find_images(skeleton, neighbours_, walls_, kernel_, scale_, images_);
+}
+
+// V_q grad phi = -V_q F r
+void TwoPassOperator::darcy_velocity(std::span<const double> head, std::span<const double> conductivity,
+                                     std::span<double> wx, std::span<double> wy) const {
+  for (std::size_t p = 0; p < images_.size(); ++p) {
+    double gx = 0.0, gy = 0.0;
+    for (const Image& q : images_.of(p)) {
+      const double difference = head[p] - head[q.particle];
+      gx += difference * q.weight * q.rx;
+      gy += difference * q.weight * q.ry;
+    }
+    wx[p] = -conductivity[p] * gx;
+    wy[p] = -conductivity[p] * gy;
+  }
+}
+
+void TwoPassOperator::divergence(std::span<const double> wx, std::span<const double> wy,
+                                 std::span<double> divergence) const {
+  for (std::size_t p = 0; p < images_.size(); ++p) {
+    double sum = 0.0;
+    for (const Image& q : images_.of(p)) {
+      sum += q.weight * (q.rx * (wx[p] - q.flip_x * wx[q.particle]) + q.ry * (wy[p] - q.flip_y * wy[q.particle]));
+    }
+    divergence[p] = sum;
+  }
+}
+
+void TwoPassOperator::step(double time_step, const Skeleton& skeleton, const Water& water,
+                           std::span<const double> conductivity, std::span<const double> storage,
+                           std::span<const double> skeleton_rate, std::span<double> pressure) const {
+  const std::size_t n = pressure.size();
+  std::vector<double> head(n), wx(n), wy(n), outflow(n);
+  for (std::size_t p = 0; p < n; ++p) head[p] = pressure[p] / water.unit_weight() + skeleton.y[p];
+  darcy_velocity(head, conductivity, wx, wy);
+  divergence(wx, wy, outflow);
+  for (std::size_t p = 0; p < n; ++p) pressure[p] -= time_step / storage[p] * (outflow[p] + skeleton_rate[p]);
+}
+
+}  // namespace slope::seepage

@@ -1,0 +1,15 @@
+#include "slope/seepage/van_genuchten_retention.hpp"
+
+#include <cmath>
+
+namespace slope::seepage {
+
+Saturation VanGenuchten::evaluate(double suction_head) const {
+  if (suction_head <= 0.0) return {range.maximum, 0.0};
+  const double m = 1.0 - 1.0 / n;
+  const double x = std::exp(n * std::log(alpha * suction_head));
+  const double effective = std::exp(-m * std::log1p(x));
+  return range.scale(effective, -m * n * effective / ((1.0 + 1.0 / x) * suction_head));
+}
+
+}  // namespace slope::seepage
