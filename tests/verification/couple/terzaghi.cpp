@@ -59,10 +59,12 @@ Figures run_terzaghi(const std::string& cell_size, const std::string& width) {
   run(simulation, [&](const couple::ParticleTable& now) {
     Curve pressure;
     std::vector<double> settlement;
+    // the drain, and with it the water level, settles with the top
+    const double level = height + now.displacement.back()[1];
     for (std::size_t p = 0; p < now.position.size(); ++p) {
       const double y = now.position[p][1] - now.displacement[p][1];
       pressure.x.push_back(1.0 - y / height);
-      pressure.y.push_back((now.pore_pressure[p] - unit_weight * (height - y)) / start);
+      pressure.y.push_back((now.pore_pressure[p] - unit_weight * (level - now.position[p][1])) / start);
       settlement.push_back(-now.displacement[p][1]);
     }
     if (now.time < drain_start) {
