@@ -16,7 +16,7 @@ constexpr double shrinkage = 0.7;  // of the factor in a lively one
 ClockControl::ClockControl(const Clock& limits, const SlopeScale& scale, std::vector<double> change_times)
     : limits_(limits), scale_(scale), change_times_(std::move(change_times)) {}
 
-double ClockControl::factor(double time, double next, double time_step) const {
+ClockControl::Pace ClockControl::pace(double time, double next, double time_step) {
   double factor = factor_;
   if (limits_.adaptive) {
     double since = time;
@@ -26,7 +26,11 @@ double ClockControl::factor(double time, double next, double time_step) const {
     factor = std::min(factor, std::max(1.0, limits_.change_fraction * since / scale_.period()));
   }
   const double steps = std::ceil((next - time) / (factor * time_step) * (1.0 - 1.0e-12));
-  return (next - time) / (std::max(steps, 1.0) * time_step);
+  Pace pace;
+  pace.factor = (next - time) / (std::max(steps, 1.0) * time_step);
+  pace.velocity_scale = std::min(1.0, factor / last_factor_);
+  last_factor_ = factor;
+  return pace;
 }
 
 double ClockControl::next_change(double time) const {

@@ -24,8 +24,14 @@ class ClockControl {
  public:
   ClockControl(const Clock& limits, const SlopeScale& scale, std::vector<double> change_times);
 
-  /// Factor for a step that starts at `time` and must not pass `next` (s): the steps up to `next` are equal.
-  [[nodiscard]] double factor(double time, double next, double time_step) const;
+  /// What the factor is and by how much the soil's velocities must be scaled before the step.
+  struct Pace {
+    double factor = 1.0;
+    double velocity_scale = 1.0;
+  };
+  /// For a step that starts at `time` and must not pass `next` (s): the steps up to `next` are equal. Velocities belong to
+  /// the soil's own time; where the factor falls they fall with it, so that what creeps does not gain speed in physical time.
+  Pace pace(double time, double next, double time_step);
   /// Takes note of a step done; every block of steps the factor is judged anew.
   void observe(double time_step, std::span<const double> ux, std::span<const double> uy,
                std::span<const double> pressure);
@@ -39,6 +45,7 @@ class ClockControl {
   SlopeScale scale_;
   std::vector<double> change_times_;
   double factor_ = 1.0;
+  double last_factor_ = 1.0;  // of the latest step, before it was fitted to what is due
   int steps_ = 0;
   double block_time_ = 0.0;
   std::vector<double> ux_, uy_, pressure_;  // at the start of the block

@@ -81,6 +81,13 @@ seepage::Skeleton Mixture::skeleton() const {
   return skeleton;
 }
 
+void Mixture::slow_down(double factor) {
+  solid::Particles& p = soil.particles();
+  for (auto* field : {&p.vx, &p.vy, &p.cxx, &p.cxy, &p.cyx, &p.cyy}) {
+    for (double& value : *field) value *= factor;
+  }
+}
+
 void Mixture::weigh_water() {
   const solid::Particles& p = soil.particles();
   const std::span<const double> saturation = water.saturation();

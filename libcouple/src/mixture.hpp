@@ -26,6 +26,8 @@ class Mixture {
   [[nodiscard]] std::span<const double> water_mass() const { return water_mass_; }
   /// Works the mass of the water anew from porosity, saturation and volume.
   void weigh_water();
+  /// Multiplies the soil's velocities by a factor in (0, 1].
+  void slow_down(double factor);
   [[nodiscard]] bool rigid() const { return rigid_; }
 
  private:

@@ -141,7 +141,9 @@ double Simulation::State::next_stop() const {
 
 void Simulation::State::step() {
   const double next = next_stop();
-  clock_factor = clock.factor(time, next, time_step);
+  const ClockControl::Pace pace = clock.pace(time, next, time_step);
+  clock_factor = pace.factor;
+  if (pace.velocity_scale < 1.0) mixture.slow_down(pace.velocity_scale);
   const double water_step = clock_factor * time_step;
   // the last step up to what is due ends there to the last digit
   const double after = time + (1.0 + sliver) * water_step > next ? next : time + water_step;

@@ -219,7 +219,8 @@ std::string quantity_text(double value, Dimension dimension) {
     if (unit.dimension != dimension || !written_in_texts(unit)) continue;
     const std::string text = fmt::format("{:.15g} {}", value / unit.numerator * unit.denominator, unit.name);
     const bool exact = parse_quantity(text, dimension) == std::variant<double, std::string>(value);
-    if (exact && text.size() < shortest.size()) shortest = text;
+    const bool shorter = text.size() < shortest.size() || (unit.name == "deg" && text.size() == shortest.size());
+    if (exact && shorter) shortest = text;
   }
   return shortest;
 }
