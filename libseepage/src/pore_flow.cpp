@@ -129,6 +129,7 @@ void PoreFlow::finish(double time_step, const Skeleton& skeleton, const Boundary
 void PoreFlow::check() const {
   for (std::size_t p = 0; p < pressure_.size(); ++p) {
     if (!std::isfinite(pressure_[p])) throw SeepageError(p, "pore pressure (Pa)", pressure_[p]);
+    if (!std::isfinite(defect_[p])) throw SeepageError(p, "water balance (m2)", defect_[p]);
   }
 }
 

@@ -42,8 +42,8 @@ class ConjugateGradients {
     double rho = blocked_dot(residual_, scaled_, threads);
     const double target = tolerance * tolerance * b_norm;
     Result result;
-    while (rho > target) {
-      if (result.iterations == maximum_iterations) {
+    while (!(rho <= target)) {
+      if (result.iterations == maximum_iterations || !std::isfinite(rho)) {
         result.converged = false;
         break;
       }

@@ -1,0 +1,203 @@
+#include "slope/seepage/pore_flow.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "particles.hpp"
+
+namespace slope::seepage {
+namespace {
+
+using testing::lattice;
+using testing::Particles;
+
+constexpr int columns = 2, rows = 30;
+constexpr double spacing = 0.1;
+
+// A column of the paper's soil W2, walled at the sides, hydrostatic above a water table at its base.
+class Column : public ::testing::Test {
+ protected:
+  [[nodiscard]] PoreFlow flow(int threads = 1) const {
+    Soil soil;
+    soil.retention = VanGenuchten{.alpha = 0.5, .n = 3.0, .range = {}};
+    soil.relative_permeability.law = HillelPower{.exponent = 2.0};
+    soil.hydraulic_conductivity = 1.0e-5;
+    FlowSettings settings;
+    settings.spacing = spacing;
+    settings.walls = {.left = 0.0, .right = columns * spacing};
+    settings.threads = threads;
+    std::vector<double> pressure(particles.size());
+    for (std::size_t p = 0; p < particles.size(); ++p) pressure[p] = -water.unit_weight() * particles.y[p];
+    return {{soil}, water, std::vector<std::uint16_t>(particles.size(), 0), pressure, particles.skeleton(), settings};
+  }
+
+  // Rain kept at zero pressure at the top, by particles or by faces.
+  [[nodiscard]] Boundary held_top() const {
+    Boundary boundary;
+    boundary.count = 1;
+    for (std::uint32_t p = (rows - 1) * columns; p < rows * columns; ++p) boundary.held.push_back({p, 0, 0.0});
+    return boundary;
+  }
+  [[nodiscard]] Boundary face_top() const {
+    Boundary boundary;
+    boundary.count = 1;
+    for (std::uint32_t p = (rows - 1) * columns; p < rows * columns; ++p) {
+      boundary.faces.push_back({p, 0, 0.0, 0.5 * spacing, 0.5 * spacing, spacing});
+    }
+    return boundary;
+  }
+  // A flux at the top, a face held at the base.
+  [[nodiscard]] Boundary flux_top() const {
+    Boundary boundary;
+    boundary.count = 2;
+    for (std::uint32_t p = 0; p < columns; ++p) {
+      boundary.inflows.push_back({(rows - 1) * columns + p, 0, 5.0e-6 * spacing});
+      boundary.faces.push_back({p, 1, 0.0, -0.5 * spacing, 0.5 * spacing, spacing});
+    }
+    return boundary;
+  }
+
+  Particles particles = lattice(columns, rows, spacing);
+  Water water;
+};
+
+class WaterBalance : public Column, public ::testing::WithParamInterface<int> {};
+
+TEST_P(WaterBalance, IsExactOverNonlinearSteps) {
+  const Boundary boundary = GetParam() == 0 ? held_top() : GetParam() == 1 ? face_top() : flux_top();
+  PoreFlow water_flow = flow();
+  const double start = water_flow.stored_water();
+  for (int step = 0; step < 40; ++step) {
+    const double time_step = 0.05 * std::pow(1.2, step);
+    ASSERT_TRUE(water_flow.advance(time_step, particles.skeleton(), boundary, 0.1).converged) << step;
+  }
+  double inflow = 0.0;
+  for (const double v : water_flow.cumulative_inflow()) inflow += v;
+  const double gain = water_flow.stored_water() - start;
+  EXPECT_GT(gain, 1.0e-4 * start);
+  EXPECT_NEAR(gain + water_flow.unexplained_water(), inflow, 1e-12 * start);
+  EXPECT_LT(std::abs(water_flow.unexplained_water()), 1e-6 * inflow);
+}
+
+std::string boundary_name(const ::testing::TestParamInfo<int>& info) {
+  return info.param == 0 ? "HeldParticles" : info.param == 1 ? "HeldFaces" : "Flux";
+}
+INSTANTIATE_TEST_SUITE_P(Boundaries, WaterBalance, ::testing::Values(0, 1, 2), boundary_name);
+
+TEST_F(Column, IsStillWhenHydrostatic) {
+  PoreFlow water_flow = flow();
+  const auto before = std::vector<double>(water_flow.pressure().begin(), water_flow.pressure().end());
+  ASSERT_TRUE(water_flow.advance(1.0e6, particles.skeleton(), {}, 1.0e-3).converged);
+  std::vector<double> wx(particles.size()), wy(particles.size());
+  water_flow.darcy_velocity(particles.skeleton(), wx, wy);
+  for (std::size_t p = 0; p < particles.size(); ++p) {
+    EXPECT_NEAR(water_flow.pressure()[p], before[p], 1e-6);
+    EXPECT_NEAR(wx[p], 0.0, 1e-18);
+    EXPECT_NEAR(wy[p], 0.0, 1e-18);
+  }
+}
+
+TEST_F(Column, UnitGradientFlowsWithTheConductivity) {
+  PoreFlow water_flow = flow();
+  Boundary drained = flux_top();
+  for (Inflow& inflow : drained.inflows) inflow.rate = 1.0e-5 * spacing;
+  for (int step = 0; step < 60; ++step) {
+    ASSERT_TRUE(water_flow.advance(100.0 * std::pow(1.1, step), particles.skeleton(), drained, 0.01).converged);
+  }
+  std::vector<double> wx(particles.size()), wy(particles.size());
+  water_flow.darcy_velocity(particles.skeleton(), wx, wy);
+  EXPECT_NEAR(water_flow.inflow_rate()[1], -1.0e-5 * columns * spacing, 1e-12);
+  for (std::size_t p = 0; p < particles.size(); ++p) EXPECT_NEAR(wy[p], -1.0e-5, 1e-9);
+}
+
+TEST_F(Column, LinearisedStepsConvergeToTheNonlinearOnes) {
+  const double end = 4.0;
+  const int coarse = 50;
+  const auto run = [&](bool linearised, int steps) {
+    PoreFlow water_flow = flow();
+    const std::vector<double> strain(particles.size(), 0.0);
+    for (int step = 0; step < steps; ++step) {
+      if (linearised) {
+        water_flow.follow(particles.skeleton());
+        EXPECT_TRUE(
+            water_flow.solve(end / steps, particles.skeleton(), strain, face_top(), RigidSkeleton{}, 1e-8).converged);
+        water_flow.finish(end / steps, particles.skeleton(), face_top());
+      } else {
+        EXPECT_TRUE(water_flow.advance(end / steps, particles.skeleton(), face_top(), 1e-3).converged);
+      }
+    }
+    return std::vector<double>(water_flow.pressure().begin(), water_flow.pressure().end());
+  };
+  const auto difference = [](const std::vector<double>& a, const std::vector<double>& b) {
+    double largest = 0.0;
+    for (std::size_t p = 0; p < a.size(); ++p) largest = std::max(largest, std::abs(a[p] - b[p]));
+    return largest;
+  };
+  const double at_coarse = difference(run(true, coarse), run(false, coarse));
+  const double at_fine = difference(run(true, 4 * coarse), run(false, 4 * coarse));
+  EXPECT_LT(at_fine, 0.01 * 29430.0) << "of the suction at the top";
+  EXPECT_LT(at_fine, 0.4 * at_coarse) << "first order in time";
+}
+
+TEST_F(Column, LinearisedStepsBookEveryDrop) {
+  PoreFlow water_flow = flow();
+  const double start = water_flow.stored_water();
+  const std::vector<double> strain(particles.size(), 0.0);
+  for (int step = 0; step < 100; ++step) {
+    water_flow.solve(0.05, particles.skeleton(), strain, held_top(), RigidSkeleton{}, 1e-2);
+    water_flow.finish(0.05, particles.skeleton(), held_top());
+  }
+  const double gain = water_flow.stored_water() - start;
+  EXPECT_NEAR(gain + water_flow.unexplained_water(), water_flow.cumulative_inflow()[0], 1e-12 * start);
+}
+
+TEST_F(Column, CompressionOfTheSkeletonSqueezesWaterOut) {
+  PoreFlow water_flow = flow();
+  const std::vector<double> strain(particles.size(), -1.0e-6);
+  water_flow.solve(1.0e-3, particles.skeleton(), strain, {}, RigidSkeleton{}, 1e-8);
+  for (const double change : water_flow.pressure_change()) EXPECT_GT(change, 0.0);
+  for (std::size_t p = 0; p < particles.size(); ++p) {
+    EXPECT_DOUBLE_EQ(water_flow.pore_stress_change()[p], water_flow.saturation()[p] * water_flow.pressure_change()[p]);
+  }
+}
+
+TEST_F(Column, AStepThatFailsChangesNothing) {
+  PoreFlow water_flow = flow();
+  const auto before = std::vector<double>(water_flow.pressure().begin(), water_flow.pressure().end());
+  EXPECT_FALSE(water_flow.advance(1.0e3, particles.skeleton(), face_top(), 1e-9, 1).converged);
+  for (std::size_t p = 0; p < particles.size(); ++p) EXPECT_EQ(water_flow.pressure()[p], before[p]);
+  EXPECT_EQ(water_flow.unexplained_water(), 0.0);
+}
+
+TEST_F(Column, DoesNotDependOnTheThreads) {
+  PoreFlow one = flow(1), two = flow(2);
+  const std::vector<double> strain(particles.size(), 1.0e-7);
+  for (auto* water_flow : {&one, &two}) {
+    for (int step = 0; step < 5; ++step) {
+      water_flow->follow(particles.skeleton());
+      water_flow->solve(0.1, particles.skeleton(), strain, face_top(), RigidSkeleton{}, 1e-4);
+      water_flow->finish(0.1, particles.skeleton(), face_top());
+    }
+  }
+  for (std::size_t p = 0; p < particles.size(); ++p) EXPECT_EQ(one.pressure()[p], two.pressure()[p]);
+}
+
+TEST_F(Column, ReportsWhatIsNotANumber) {
+  PoreFlow water_flow = flow();
+  Boundary bad = flux_top();
+  bad.inflows[0].rate = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<double> strain(particles.size(), 0.0);
+  EXPECT_FALSE(water_flow.solve(0.1, particles.skeleton(), strain, bad, RigidSkeleton{}, 1e-4).converged);
+  try {
+    water_flow.finish(0.1, particles.skeleton(), bad);
+    FAIL() << "not noticed";
+  } catch (const SeepageError& error) {
+    EXPECT_EQ(error.particle, bad.inflows[0].particle);
+    EXPECT_NE(std::string(error.what()).find("water balance (m2) is"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace slope::seepage
