@@ -46,10 +46,11 @@ struct PoreState {
 /// A traction on the face of one particle.
 struct ParticleTraction {
   std::size_t particle = 0;
-  double x = 0.0;         ///< (Pa)
-  double y = 0.0;         ///< (Pa)
-  double face_x = 0.0;    ///< where the face lies, seen from the particle (m); at the particle itself, as Eq. 17 has it, a
-  double face_y = 0.0;    ///< load acts half a spacing too deep
+  double x = 0.0;  ///< (Pa)
+  double y = 0.0;  ///< (Pa)
+  double face_x =
+      0.0;  ///< where the face lies, seen from the particle (m); at the particle itself, as Eq. 17 has it, a
+  double face_y = 0.0;  ///< load acts half a spacing too deep
 };
 
 /// What one step moves.
