@@ -90,12 +90,13 @@ void HeadOperator::gradient(std::span<const double> field, const Skeleton& skele
   for (std::size_t p = 0; p < skeleton.size(); ++p) {
     double xx = 0.0, xy = 0.0, yy = 0.0, gx = 0.0, gy = 0.0;
     for (const Image& q : images_.of(p)) {
-      const double difference = field[p] - field[q.particle];
-      xx += q.weight * q.rx * q.rx;
-      xy += q.weight * q.rx * q.ry;
-      yy += q.weight * q.ry * q.ry;
-      gx += q.weight * q.rx * difference;
-      gy += q.weight * q.ry * difference;
+      const double second = q.weight * q.r * q.r;
+      const double first = q.weight * q.r * (field[p] - field[q.particle]);
+      xx += second * q.ex * q.ex;
+      xy += second * q.ex * q.ey;
+      yy += second * q.ey * q.ey;
+      gx += first * q.ex;
+      gy += first * q.ey;
     }
     const double determinant = xx * yy - xy * xy;
     const bool regular = determinant > 1.0e-8 * (xx + yy) * (xx + yy);

@@ -18,7 +18,7 @@ void find_images(const Skeleton& skeleton, const Neighbours& neighbours, const M
       const double r = std::sqrt(rx * rx + ry * ry);
       const double f = kernel.radial_factor(r);
       if (f > 0.0) {
-        images.image.push_back({rx, ry, r, scale * skeleton.volume[q] * f, static_cast<std::uint32_t>(q),
+        images.image.push_back({rx / r, ry / r, r, scale * skeleton.volume[q] * f, static_cast<std::uint32_t>(q),
                                 static_cast<std::int8_t>(flip_x), static_cast<std::int8_t>(flip_y)});
       }
     };

@@ -84,15 +84,14 @@ double MomentCorrection::even_part(const std::vector<Tensor>& tensor, std::size_
   const Tensor& b_p = tensor[p];
   const Tensor& b_q = tensor[image.particle];
   const double parity = image.flip_x * image.flip_y;
-  return 1.0 + 0.5 * along(image.rx, image.ry, b_p.xx + b_q.xx, b_p.xy + parity * b_q.xy, b_p.yy + b_q.yy) /
-                   (image.r * image.r);
+  return 1.0 + 0.5 * along(image.ex, image.ey, b_p.xx + b_q.xx, b_p.xy + parity * b_q.xy, b_p.yy + b_q.yy);
 }
 
 // (a_p - a_q).e
 double MomentCorrection::odd_part(std::size_t p, const Image& image) const {
   const double* a_p = &vector_[2 * p];
   const double* a_q = &vector_[2 * static_cast<std::size_t>(image.particle)];
-  return (image.rx * (a_p[0] - image.flip_x * a_q[0]) + image.ry * (a_p[1] - image.flip_y * a_q[1])) / image.r;
+  return image.ex * (a_p[0] - image.flip_x * a_q[0]) + image.ey * (a_p[1] - image.flip_y * a_q[1]);
 }
 
 MomentCorrection::FlatSurface MomentCorrection::flat_surface(const WendlandC2& kernel, double spacing) {
@@ -122,14 +121,15 @@ void MomentCorrection::find_surface(const WendlandC2& kernel, double spacing) {
     Vector asymmetry{0.0, 0.0}, first{0.0, 0.0};
     Tensor second{0.0, 0.0, 0.0};
     for (const Image& q : images_.of(p)) {
-      const double near = nearness(q.r, kernel.support());
-      asymmetry.x += near * q.rx;
-      asymmetry.y += near * q.ry;
-      first.x += q.weight * q.rx;
-      first.y += q.weight * q.ry;
-      second.xx += q.weight * q.rx * q.rx;
-      second.xy += q.weight * q.rx * q.ry;
-      second.yy += q.weight * q.ry * q.ry;
+      const double near = nearness(q.r, kernel.support()) * q.r;
+      const double w = q.weight * q.r, w_r = w * q.r;
+      asymmetry.x += near * q.ex;
+      asymmetry.y += near * q.ey;
+      first.x += w * q.ex;
+      first.y += w * q.ey;
+      second.xx += w_r * q.ex * q.ex;
+      second.xy += w_r * q.ex * q.ey;
+      second.yy += w_r * q.ey * q.ey;
     }
     at_surface_[p] = ramp(std::hypot(asymmetry.x, asymmetry.y) / flat.asymmetry, surface_begins, surface_full);
     const double length = std::hypot(first.x, first.y);
@@ -178,8 +178,8 @@ void MomentCorrection::find_responses() {
   for (std::size_t p = 0; p < images_.size(); ++p) {
     Eigen::Matrix3d map = Eigen::Matrix3d::Zero();
     for (const Image& q : images_.of(p)) {
-      const double xx = q.rx * q.rx, xy = root_two * q.rx * q.ry, yy = q.ry * q.ry;
-      const double w = q.weight / (q.r * q.r);
+      const double xx = q.ex * q.ex, xy = root_two * q.ex * q.ey, yy = q.ey * q.ey;
+      const double w = q.weight * q.r * q.r;
       map(0, 0) += w * xx * xx;
       map(1, 0) += w * xx * xy;
       map(2, 0) += w * xx * yy;
@@ -205,10 +205,10 @@ void MomentCorrection::sweep_second_moments(const std::vector<Tensor>& old) {
   for (std::size_t p = 0; p < images_.size(); ++p) {
     double xx = 1.0, xy = 0.0, yy = 1.0;  // lack of the second moment
     for (const Image& q : images_.of(p)) {
-      const double weight = q.weight * (even_part(old, p, q) + odd_part(p, q));
-      xx -= weight * q.rx * q.rx;
-      xy -= weight * q.rx * q.ry;
-      yy -= weight * q.ry * q.ry;
+      const double weight = q.weight * q.r * q.r * (even_part(old, p, q) + odd_part(p, q));
+      xx -= weight * q.ex * q.ex;
+      xy -= weight * q.ex * q.ey;
+      yy -= weight * q.ey * q.ey;
     }
     Eigen::Matrix2d lack, projector;
     lack << xx, xy, xy, yy;
@@ -229,12 +229,11 @@ void MomentCorrection::correct_first_moments(std::span<const double> volume) {
   for (std::size_t p = 0; p < n; ++p) {
     Vector first = first_moment_[p], own{0.0, 0.0};
     for (const Image& q : images_.of(p)) {
-      const double weight = q.weight * even_part(tensor_, p, q);
-      first.x -= weight * q.rx;
-      first.y -= weight * q.ry;
-      const double w = q.weight / q.r;
-      own.x += w * q.rx * q.rx;
-      own.y += w * q.ry * q.ry;
+      const double w = q.weight * q.r, weight = w * even_part(tensor_, p, q);
+      first.x -= weight * q.ex;
+      first.y -= weight * q.ey;
+      own.x += w * q.ex * q.ex;
+      own.y += w * q.ey * q.ey;
     }
     lack[2 * p] = volume[p] * first.x;
     lack[2 * p + 1] = volume[p] * first.y;
@@ -250,9 +249,9 @@ void MomentCorrection::correct_first_moments(std::span<const double> volume) {
       double sum_x = 0.0, sum_y = 0.0;
       for (const Image& q : images_.of(p)) {
         const std::size_t k = 2 * static_cast<std::size_t>(q.particle);
-        const double w = q.weight / q.r * (q.rx * (x - q.flip_x * in[k]) + q.ry * (y - q.flip_y * in[k + 1]));
-        sum_x += w * q.rx;
-        sum_y += w * q.ry;
+        const double w = q.weight * q.r * (q.ex * (x - q.flip_x * in[k]) + q.ey * (y - q.flip_y * in[k + 1]));
+        sum_x += w * q.ex;
+        sum_y += w * q.ey;
       }
       out[2 * p] = volume[p] * sum_x + stiffening * diagonal[2 * p] * x;
       out[2 * p + 1] = volume[p] * sum_y + stiffening * diagonal[2 * p + 1] * y;

@@ -16,9 +16,9 @@ void TwoPassOperator::darcy_velocity(std::span<const double> head, std::span<con
   for (std::size_t p = 0; p < images_.size(); ++p) {
     double gx = 0.0, gy = 0.0;
     for (const Image& q : images_.of(p)) {
-      const double difference = head[p] - head[q.particle];
-      gx += difference * q.weight * q.rx;
-      gy += difference * q.weight * q.ry;
+      const double weighted = q.weight * q.r * (head[p] - head[q.particle]);
+      gx += weighted * q.ex;
+      gy += weighted * q.ey;
     }
     wx[p] = -conductivity[p] * gx;
     wy[p] = -conductivity[p] * gy;
@@ -30,7 +30,7 @@ void TwoPassOperator::divergence(std::span<const double> wx, std::span<const dou
   for (std::size_t p = 0; p < images_.size(); ++p) {
     double sum = 0.0;
     for (const Image& q : images_.of(p)) {
-      sum += q.weight * (q.rx * (wx[p] - q.flip_x * wx[q.particle]) + q.ry * (wy[p] - q.flip_y * wy[q.particle]));
+      sum += q.weight * q.r * (q.ex * (wx[p] - q.flip_x * wx[q.particle]) + q.ey * (wy[p] - q.flip_y * wy[q.particle]));
     }
     divergence[p] = sum;
   }

@@ -37,11 +37,11 @@ TEST(Images, ContinueTheParticlesBehindTheWalls) {
     }
     EXPECT_EQ(images.of(p).size(), count);
     for (const Image& q : images.of(p)) {
-      EXPECT_DOUBLE_EQ(q.r, std::hypot(q.rx, q.ry));
+      EXPECT_NEAR(std::hypot(q.ex, q.ey), 1.0, 1e-15);
       weight -= q.weight;
-      first_x -= q.weight * q.rx;
-      first_y -= q.weight * q.ry;
-      const double x = inside.x[p] - q.rx, y = inside.y[p] - q.ry;
+      first_x -= q.weight * q.r * q.ex;
+      first_y -= q.weight * q.r * q.ey;
+      const double x = inside.x[p] - q.r * q.ex, y = inside.y[p] - q.r * q.ey;
       EXPECT_EQ(q.flip_x, x < 0.0 || x > 5.0 ? -1 : 1);
       EXPECT_EQ(q.flip_y, y < 0.0 ? -1 : 1);
     }
@@ -75,9 +75,9 @@ TEST(Images, LatticeScaleMakesTheSecondMomentTheUnitTensor) {
   find_images(block.skeleton(), neighbours, {}, kernel, lattice_scale(kernel, 0.5), images);
   double xx = 0.0, xy = 0.0, yy = 0.0;
   for (const Image& q : images.of(40)) {
-    xx += q.weight * q.rx * q.rx;
-    xy += q.weight * q.rx * q.ry;
-    yy += q.weight * q.ry * q.ry;
+    xx += q.weight * q.r * q.r * q.ex * q.ex;
+    xy += q.weight * q.r * q.r * q.ex * q.ey;
+    yy += q.weight * q.r * q.r * q.ey * q.ey;
   }
   EXPECT_NEAR(xx, 1.0, 1e-12);
   EXPECT_NEAR(xy, 0.0, 1e-12);

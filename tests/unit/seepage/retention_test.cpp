@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <functional>
+#include <ostream>
 #include <string>
 
 namespace slope::seepage {
@@ -14,6 +14,10 @@ struct Curve {
   Retention law;
   double driest;  // suction head (m) up to which the slope is smooth
 };
+
+void PrintTo(const Curve& curve, std::ostream* out) {
+  *out << curve.name;
+}
 
 class EveryRetention : public ::testing::TestWithParam<Curve> {
  protected:

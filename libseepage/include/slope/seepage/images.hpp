@@ -13,8 +13,8 @@ namespace slope::seepage {
 
 /// A neighbour q of a particle p, or a mirror image of one behind a wall.
 struct Image {
-  double rx, ry;               ///< x_p - x_q (m)
-  double r;                    ///< its length (m)
+  double ex, ey;               ///< direction of x_p - x_q
+  double r;                    ///< length of x_p - x_q (m)
   double weight;               ///< V_q F(r) times the scale asked for (1/m2), F = -W'/r of the kernel
   std::uint32_t particle;      ///< q
   std::int8_t flip_x, flip_y;  ///< signs that the mirrors give to the components of a vector of q
