@@ -21,7 +21,9 @@ std::string shown(double value, std::string_view unit) {
 std::string shown(Asked asked, std::string_view unit) {
   if (asked.lowest == -unlimited) return "at most " + shown(asked.highest, unit);
   if (asked.highest == unlimited) return "at least " + shown(asked.lowest, unit);
-  return shown(asked.lowest, unit) + " to " + shown(asked.highest, unit);
+  const auto highest = shown(asked.highest, unit);
+  const auto lowest = shown(asked.lowest, unit);
+  return lowest.substr(0, lowest.find(' ')) + " to " + highest;
 }
 
 }  // namespace

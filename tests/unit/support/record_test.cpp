@@ -14,6 +14,7 @@ TEST(Record, RowShowsWhatWasAskedBesideWhatWasReached) {
   EXPECT_EQ(table_row("pressure", at_most(0.01), 0.00432, "%"), "| pressure | at most 1 % | 0.432 % |");
   EXPECT_EQ(table_row("order", at_least(1.8), 1.9312, ""), "| order | at least 1.8 | 1.931 |");
   EXPECT_EQ(table_row("P/q", near(0.9974, 1e-3), 0.99741, ""), "| P/q | 0.9964 to 0.9984 | 0.9974 |");
+  EXPECT_EQ(table_row("stress", near(0.5, 0.1), 0.5, "%"), "| stress | 40 to 60 % | 50 % |");
 }
 
 TEST(Record, WritesItsRowAndTellsWhetherItHolds) {
