@@ -29,7 +29,8 @@ double deviatoric_strain_of(const solid::Particles& particles, std::size_t p) {
 }
 
 FailureZone find_failure_zone(const solid::Particles& particles, std::span<const double> suction,
-                              const GroundSurface& surface, double spacing, double threshold) {
+                              const GroundSurface& surface, double spacing, double threshold,
+                              double moved) {
   FailureZone zone;
   if (!suction.empty()) zone.largest_suction = std::max(0.0, *std::ranges::max_element(suction));
   std::vector<std::size_t> failed;
@@ -51,7 +52,14 @@ FailureZone find_failure_zone(const solid::Particles& particles, std::span<const
   zone.lowest = particles.y[*low] - 0.5 * spacing;
   zone.highest = particles.y[*high] + 0.5 * spacing;
   zone.height = zone.highest - zone.lowest;
-  zone.run_out = std::abs(particles.ux[drift < 0.0 ? *left : *right]);
+  const double direction = drift < 0.0 ? -1.0 : 1.0;
+  double front = -never;
+  for (const std::size_t p : failed) {
+    const double reach = direction * particles.x[p];
+    if (reach <= front || std::hypot(particles.ux[p], particles.uy[p]) <= moved) continue;
+    front = reach;
+    zone.run_out = std::abs(particles.ux[p]);
+  }
   return zone;
 }
 

@@ -100,7 +100,7 @@ struct Simulation::State {
   [[nodiscard]] double next_stop() const;
   [[nodiscard]] FailureZone zone() const {
     return find_failure_zone(mixture.soil.particles(), mixture.water.suction(), surface, particles.spacing,
-                             input.failure_zone_strain);
+                             input.failure_zone_strain, input.onset_displacement);
   }
 
   Case input;

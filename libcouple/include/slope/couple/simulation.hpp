@@ -65,7 +65,8 @@ struct FailureZone {
   double area = 0.0;          ///< (m2)
   double lowest = 0.0;        ///< y of its lowest point (m)
   double highest = 0.0;       ///< y of its highest point (m)
-  double run_out = 0.0;       ///< how far the foremost failed particle went, horizontally (m)
+  double run_out = 0.0;       ///< how far the slide's front went, horizontally: the foremost failed particle that
+                              ///< moved by more than the onset displacement (m)
   double largest_suction = 0.0;  ///< left anywhere in the slope (Pa)
 };
 
