@@ -1,0 +1,73 @@
+#include "program.hpp"
+
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+namespace slope::tools::test {
+
+namespace {
+
+void send_to(int stream, const std::filesystem::path& file) {
+  const int opened = open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+  if (opened < 0 || dup2(opened, stream) < 0) _exit(127);
+  close(opened);
+}
+
+}  // namespace
+
+Program::Program(const std::vector<std::string>& arguments, const std::filesystem::path& folder) : folder_(folder) {
+  std::vector<std::string> words{SLOPE_SIM};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  std::vector<char*> pointers;
+  for (std::string& word : words) pointers.push_back(word.data());
+  pointers.push_back(nullptr);
+  id_ = fork();
+  if (id_ < 0) throw std::runtime_error("slope-sim cannot be started");
+  if (id_ == 0) {
+    send_to(STDOUT_FILENO, folder_ / "output");
+    send_to(STDERR_FILENO, folder_ / "errors");
+    execv(pointers.front(), pointers.data());
+    _exit(127);
+  }
+}
+
+Program::~Program() {
+  if (!running()) return;
+  kill(id_, SIGKILL);
+  waitpid(id_, &status_, 0);
+}
+
+void Program::signal(int number) const {
+  kill(id_, number);
+}
+
+bool Program::running() {
+  if (!ended_) ended_ = waitpid(id_, &status_, WNOHANG) != 0;
+  return !ended_;
+}
+
+Outcome Program::wait() {
+  if (!ended_) waitpid(id_, &status_, 0);
+  ended_ = true;
+  return {WIFEXITED(status_) ? WEXITSTATUS(status_) : -1, content_of(folder_ / "output"),
+          content_of(folder_ / "errors")};
+}
+
+Outcome slope_sim(const std::vector<std::string>& arguments, const std::filesystem::path& folder) {
+  return Program(arguments, folder).wait();
+}
+
+std::string content_of(const std::filesystem::path& file) {
+  std::ifstream stream(file);
+  std::ostringstream content;
+  content << stream.rdbuf();
+  return content.str();
+}
+
+}  // namespace slope::tools::test

@@ -1,0 +1,286 @@
+#include <gtest/gtest.h>
+#include <stdlib.h>
+#include <yaml-cpp/yaml.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <csignal>
+#include <fstream>
+#include <sstream>
+#include <thread>
+
+#include "particle_file.hpp"
+#include "program.hpp"
+#include "slope/couple/read_case.hpp"
+
+namespace slope::tools::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string quick = std::string(SLOPE_CASES) + "/quick.yaml";
+
+/// Each test works in a folder of its own.
+class SlopeSim : public testing::Test {
+ protected:
+  SlopeSim() {
+    std::string name = (fs::temp_directory_path() / "slope-sim-XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no folder can be made at " + name);
+    scratch_ = name;
+  }
+  ~SlopeSim() override {
+    std::error_code ignored;
+    fs::remove_all(scratch_, ignored);
+  }
+
+  [[nodiscard]] Outcome call(const std::vector<std::string>& arguments) const { return slope_sim(arguments, scratch_); }
+  /// The first 0.2 s of the quick case.
+  [[nodiscard]] Outcome short_run(const fs::path& out, std::vector<std::string> more = {}) const {
+    more.insert(more.begin(), {"run", quick, "-o", out.string(), "--set", "stop.time=0.2 s", "--set",
+                               "output.history_interval=0.05 s"});
+    return call(more);
+  }
+  fs::path write(const std::string& name, const std::string& content) const {
+    std::ofstream(scratch_ / name) << content;
+    return scratch_ / name;
+  }
+  [[nodiscard]] static YAML::Node summary_of(const fs::path& out) {
+    return YAML::LoadFile((out / "summary.json").string());
+  }
+  [[nodiscard]] static std::vector<std::string> lines_of(const fs::path& file) {
+    std::istringstream stream(content_of(file));
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(stream, line);) lines.push_back(line);
+    return lines;
+  }
+  /// Every row of the history is whole.
+  static void expect_whole_history(const fs::path& out, std::size_t least_rows) {
+    EXPECT_TRUE(content_of(out / "history.csv").ends_with('\n'));
+    const auto lines = lines_of(out / "history.csv");
+    ASSERT_GE(lines.size(), least_rows + 1);
+    for (const std::string& line : lines) {
+      EXPECT_EQ(std::count(line.begin(), line.end(), ','), std::count(lines[0].begin(), lines[0].end(), ',')) << line;
+    }
+  }
+
+  fs::path scratch_;
+};
+
+TEST_F(SlopeSim, RunFillsAFolderThatStandsOnItsOwn) {
+  const fs::path out = scratch_ / "new" / "run";
+  const Outcome outcome = short_run(out);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
+
+  const couple::Case again = couple::read_case(out / "case.yaml");
+  EXPECT_EQ(again.stop.time, 0.2) << "overrides are part of the resolved case";
+  const auto lines = lines_of(out / "history.csv");
+  ASSERT_EQ(lines.size(), 6u) << "a header and rows at 0, 0.05 … 0.2 s";
+  EXPECT_TRUE(lines[0].starts_with("time [s],"));
+  EXPECT_NE(lines[0].find("toe displacement [m]"), std::string::npos);
+  EXPECT_NE(lines[0].find("toe suction [Pa]"), std::string::npos);
+  EXPECT_TRUE(lines[1].starts_with("0,"));
+  EXPECT_TRUE(lines[5].starts_with("0.2,"));
+  expect_whole_history(out, 5);
+
+  const auto series = read_particle_series(out);
+  ASSERT_EQ(series.size(), 2u);
+  EXPECT_EQ(series.front().label, "start");
+  EXPECT_EQ(series.front().time, 0.0);
+  EXPECT_EQ(series.back().label, "end");
+  EXPECT_NEAR(series.back().time, 0.2, 1e-12);
+
+  const YAML::Node summary = summary_of(out);
+  EXPECT_EQ(summary["end"]["reason"].as<std::string>(), "time");
+  EXPECT_EQ(summary["particles"].as<int>(), 569);
+  EXPECT_GT(summary["steps"].as<int>(), 0);
+  EXPECT_TRUE(summary["onset"].IsNull());
+  EXPECT_NE(content_of(out / "log.txt").find("--set stop.time=0.2 s"), std::string::npos);
+  EXPECT_TRUE(outcome.output.starts_with("A small slope under rain\n  end              0.2 s (the time asked for)\n"))
+      << outcome.output;
+}
+
+TEST_F(SlopeSim, RunOfTheResolvedCaseInItsOwnFolderGivesTheSame) {
+  const fs::path out = scratch_ / "run";
+  ASSERT_EQ(short_run(out).exit_code, 0);
+  const std::string resolved = content_of(out / "case.yaml");
+  const std::string history = content_of(out / "history.csv");
+  ASSERT_EQ(call({"run", (out / "case.yaml").string(), "-o", out.string()}).exit_code, 0);
+  EXPECT_EQ(content_of(out / "case.yaml"), resolved);
+  EXPECT_EQ(content_of(out / "history.csv"), history);
+}
+
+TEST_F(SlopeSim, TheReferenceOfTheFiguresGoesAlong) {
+  const fs::path out = scratch_ / "column";
+  const Outcome outcome =
+      call({"run", std::string(SLOPE_CASES) + "/liakopoulos.yaml", "-o", out.string(), "--set", "stop.time=1 s",
+            "--set", "output.snapshots=[]", "--set", "figures.profile_times=[1 s]"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
+  const couple::Case again = couple::read_case(out / "case.yaml");
+  EXPECT_EQ(fs::path(again.figures.profile_reference).parent_path(), "");
+  EXPECT_TRUE(fs::is_regular_file(out / again.figures.profile_reference));
+}
+
+TEST_F(SlopeSim, QuietRunPrintsNothing) {
+  const Outcome outcome = short_run(scratch_ / "run", {"--quiet"});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.output + outcome.errors, "");
+}
+
+TEST_F(SlopeSim, AnEarlierRunIsReplaced) {
+  const fs::path out = scratch_ / "run";
+  ASSERT_EQ(short_run(out, {"--set", "output.snapshot_interval=0.05 s"}).exit_code, 0);
+  ASSERT_GT(read_particle_series(out).size(), 2u);
+  ASSERT_EQ(short_run(out).exit_code, 0);
+  EXPECT_EQ(read_particle_series(out).size(), 2u);
+  EXPECT_FALSE(fs::exists(out / "particles_0002.vtp"));
+}
+
+TEST_F(SlopeSim, AFolderWithSomethingElseIsLeftAlone) {
+  const fs::path out = scratch_ / "thesis";
+  fs::create_directory(out);
+  std::ofstream(out / "history.csv") << "precious";
+  const Outcome outcome = short_run(out);
+  EXPECT_EQ(outcome.exit_code, 4);
+  EXPECT_EQ(outcome.errors, out.string() + ": holds something else than a run of slope-sim; choose another folder\n");
+  EXPECT_EQ(content_of(out / "history.csv"), "precious");
+}
+
+TEST_F(SlopeSim, AFolderThatCannotBeMadeIsToldWithCode4) {
+  const fs::path file = write("file", "");
+  const Outcome outcome = short_run(file / "run");
+  EXPECT_EQ(outcome.exit_code, 4);
+  EXPECT_EQ(outcome.errors, (file / "run").string() + ": cannot be used as output folder: Not a directory\n");
+}
+
+TEST_F(SlopeSim, BadCasesEndWithCode2AndOneMessage) {
+  const std::string content = content_of(quick);
+  const std::vector<std::array<std::string, 3>> mistakes{
+      {"cohesion: 1 kPa", "cohesoin: 1 kPa",
+       R"(soils.silty_sand.strength.cohesoin: unknown key, did you mean "cohesion"?)"},
+      {"youngs_modulus: 10 MPa", "youngs_modulus: 10",
+       R"(soils.silty_sand.youngs_modulus: expected a pressure with its unit, such as "10 kPa" (units: Pa, kPa, MPa, GPa, N/m2, kN/m2, MN/m2), got 10 without a unit)"},
+      {"ramp: 1 s", "ramp: 1 m",
+       R"(water_boundaries.rain.ramp: expected a time with its unit, such as "20 min" (units: s, min, h, d), got "1 m", which is a length)"},
+      {"porosity: 0.35", "porosity: -0.35", "soils.silty_sand.porosity: must be above 0 and below 1, got -0.35"},
+      {"crest: [7.5 m, 5 m]", "crest: [7.5 m, 50 m]",
+       "points.crest: the point (7.5 m, 50 m) lies outside of the soil; move it into a region of geometry"},
+      {"n: 3,", "n: 0.9,", "soils.silty_sand.retention.n: must be above 1, got 0.9"},
+      {"geometry:\n  - soil: silty_sand\n    polygon: [[0 m, 0 m], [11 m, 0 m], [11 m, 5 m], [7.2 m, 5 m], [2.5 m, 1 "
+       "m], [0 m, 1 m]]",
+       "geometry: []", "geometry: needs at least 1 item, got 0"},
+  };
+  for (const auto& [text, replacement, message] : mistakes) {
+    ASSERT_NE(content.find(text), std::string::npos) << text;
+    std::string wrong = content;
+    wrong.replace(wrong.find(text), text.size(), replacement);
+    const fs::path file = write("case.yaml", wrong);
+    const auto line =
+        1 + std::count(wrong.begin(), wrong.begin() + static_cast<std::ptrdiff_t>(wrong.find(replacement)), '\n');
+    for (const auto& arguments : {std::vector<std::string>{"check", file}, {"run", file, "-o", scratch_ / "run"}}) {
+      const Outcome outcome = call(arguments);
+      EXPECT_EQ(outcome.exit_code, 2) << replacement;
+      EXPECT_EQ(outcome.errors, file.string() + ":" + std::to_string(line) + ": " + message + "\n");
+      EXPECT_EQ(outcome.output, "");
+      EXPECT_FALSE(fs::exists(scratch_ / "run")) << "a wrong case makes no folder";
+    }
+  }
+}
+
+TEST_F(SlopeSim, AFileThatIsNotYamlEndsWithCode2) {
+  const fs::path file = write("case.yaml", "title: [1, 2\n");
+  const Outcome outcome = call({"check", file});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_EQ(outcome.errors, file.string() + ":2: not YAML: end of sequence flow not found\n");
+}
+
+TEST_F(SlopeSim, AnUnreadableCaseEndsWithCode4) {
+  const Outcome outcome = call({"run", (scratch_ / "none.yaml").string(), "-o", (scratch_ / "run").string()});
+  EXPECT_EQ(outcome.exit_code, 4);
+  EXPECT_EQ(outcome.errors, (scratch_ / "none.yaml").string() + ": cannot be read: No such file or directory\n");
+}
+
+TEST_F(SlopeSim, AnUnknownOverrideEndsWithCode2) {
+  const Outcome outcome = call({"check", quick, "--set", "stop.tiem=1 s"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_EQ(outcome.errors, "--set: stop.tiem: unknown key, did you mean \"time\"?\n");
+}
+
+TEST_F(SlopeSim, WrongArgumentsEndWithCode2) {
+  for (const auto& arguments : std::vector<std::vector<std::string>>{{},
+                                                                     {"walk"},
+                                                                     {"run", quick},
+                                                                     {"run", "-o", "x"},
+                                                                     {"run", quick, "-o", "x", "--threads", "0"},
+                                                                     {"check"},
+                                                                     {"check", quick, "--fast"}}) {
+    const Outcome outcome = call(arguments);
+    EXPECT_EQ(outcome.exit_code, 2) << (arguments.empty() ? "" : arguments.back());
+    EXPECT_NE(outcome.errors, "");
+  }
+}
+
+TEST_F(SlopeSim, CheckOfAFineCaseSaysWhatItHolds) {
+  const Outcome outcome = call({"check", quick});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.output, quick + ": fine: 569 particles of 1 soil on 22 x 12 cells of 0.5 m, until 60 s\n");
+}
+
+TEST_F(SlopeSim, SchemaAndVersionArePrinted) {
+  const Outcome schema = call({"schema"});
+  EXPECT_EQ(schema.exit_code, 0);
+  EXPECT_EQ(schema.output, couple::case_schema());
+  const Outcome version = call({"--version"});
+  EXPECT_EQ(version.exit_code, 0);
+  EXPECT_TRUE(version.output.starts_with("slope-sim "));
+}
+
+TEST_F(SlopeSim, BrokenPhysicsEndsWithCode3AndKeepsWhatWasComputed) {
+  const fs::path out = scratch_ / "run";
+  const Outcome outcome = short_run(out, {"--set", "soils.silty_sand.youngs_modulus=1 kPa"});
+  EXPECT_EQ(outcome.exit_code, 3) << outcome.errors;
+  EXPECT_NE(outcome.errors.find("slope-sim: at t = "), std::string::npos) << outcome.errors;
+  const YAML::Node summary = summary_of(out);
+  EXPECT_EQ(summary["end"]["reason"].as<std::string>(), "error");
+  EXPECT_NE(summary["end"]["message"].as<std::string>(), "");
+  EXPECT_TRUE(fs::exists(out / "case.yaml"));
+}
+
+/// Waits, for a minute at most, until the history has that many rows.
+bool has_rows(Program& program, const fs::path& history, long rows) {
+  const auto limit = std::chrono::steady_clock::now() + std::chrono::minutes(1);
+  while (std::chrono::steady_clock::now() < limit && program.running()) {
+    const std::string content = content_of(history);
+    if (std::count(content.begin(), content.end(), '\n') > rows) return true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  return false;
+}
+
+class InterruptedRun : public SlopeSim, public testing::WithParamInterface<int> {};
+
+TEST_P(InterruptedRun, EndsWithCode130AndLeavesReadableFiles) {
+  const fs::path out = scratch_ / "run";
+  Program program(
+      {"run", quick, "-o", out.string(), "--set", "stop.time=10 h", "--set", "output.history_interval=0.01 s"},
+      scratch_);
+  ASSERT_TRUE(has_rows(program, out / "history.csv", 3));
+  EXPECT_EQ(summary_of(out)["end"]["reason"].as<std::string>(), "running");
+  program.signal(GetParam());
+  const Outcome outcome = program.wait();
+  EXPECT_EQ(outcome.exit_code, 130) << outcome.errors;
+  expect_whole_history(out, 4);
+  const auto series = read_particle_series(out);
+  ASSERT_EQ(series.size(), 2u);
+  EXPECT_EQ(series.back().label, "interrupted");
+  EXPECT_EQ(read_particles(series.back().file)->GetNumberOfPoints(), 569);
+  const YAML::Node summary = summary_of(out);
+  EXPECT_EQ(summary["end"]["reason"].as<std::string>(), "interrupted");
+  EXPECT_NEAR(summary["end"]["time_s"].as<double>(), series.back().time, 1e-9);
+}
+
+INSTANTIATE_TEST_SUITE_P(By, InterruptedRun, testing::Values(SIGINT, SIGTERM),
+                         [](const auto& instance) { return instance.param == SIGINT ? "SIGINT" : "SIGTERM"; });
+
+}  // namespace
+}  // namespace slope::tools::test

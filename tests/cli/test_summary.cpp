@@ -1,0 +1,99 @@
+#include <gtest/gtest.h>
+#include <yaml-cpp/yaml.h>
+
+#include <limits>
+
+#include "progress_line.hpp"
+#include "report.hpp"
+#include "summary_json.hpp"
+
+namespace slope::tools {
+namespace {
+
+couple::Case a_case() {
+  couple::Case input;
+  input.title = "A \"strange\" title:\n\\ {";
+  input.path = "cases/x.yaml";
+  input.failure_zone_strain = 0.02;
+  input.stop.displacement = 0.3;
+  return input;
+}
+
+couple::Summary a_failure() {
+  couple::Summary summary;
+  summary.time = 890.5;
+  summary.onset_criterion = 0.02;
+  summary.onset_time = 618.25;
+  summary.onset_position = {11.5, 5.75};
+  summary.displacement_times = {{0.02, 618.25}, {1.0, {}}};
+  summary.zone_at_onset = couple::FailureZone{1, 2, 3, 4, 5, 6, 7, 8000};
+  summary.zone_at_end = couple::FailureZone{15, 7.75, 2.25, 27, 5, 12.75, 0.5, 38000};
+  summary.water = {1.5, 0.25, 1.25, 1e-9, {{"rain", 1.5}, {"outlet", -0.25}}};
+  summary.largest_displacement = 0.3;
+  summary.pressure_checkerboard = std::numeric_limits<double>::quiet_NaN();
+  summary.particles = 5089;
+  summary.steps = 46312;
+  return summary;
+}
+
+TEST(SummaryJson, IsReadBackWithTheValuesAndUnitsInItsKeys) {
+  const YAML::Node json =
+      YAML::Load(summary_json(a_case(), a_failure(), {"1.2.3", "displacement", "", 61.5, 2}));  // JSON is YAML
+  EXPECT_EQ(json["title"].as<std::string>(), a_case().title);
+  EXPECT_EQ(json["version"].as<std::string>(), "1.2.3");
+  EXPECT_EQ(json["end"]["reason"].as<std::string>(), "displacement");
+  EXPECT_FALSE(json["end"]["message"].IsDefined());
+  EXPECT_EQ(json["onset"]["time_s"].as<double>(), 618.25);
+  EXPECT_EQ(json["onset"]["displacement_m"].as<double>(), 0.02);
+  EXPECT_EQ(json["onset"]["position_m"].as<std::vector<double>>(), (std::vector<double>{11.5, 5.75}));
+  EXPECT_EQ(json["displacement_times"][0]["time_s"].as<double>(), 618.25);
+  EXPECT_TRUE(json["displacement_times"][1]["time_s"].IsNull());
+  EXPECT_EQ(json["failure_zone"]["at_onset"]["largest_suction_Pa"].as<double>(), 8000.0);
+  EXPECT_TRUE(json["failure_zone"]["at_10_cm"].IsNull());
+  EXPECT_EQ(json["failure_zone"]["at_end"]["length_m"].as<double>(), 15.0);
+  EXPECT_EQ(json["water_budget"]["error"].as<double>(), 1e-9);
+  EXPECT_EQ(json["water_budget"]["net_inflow_by_boundary_m3_per_m"]["outlet"].as<double>(), -0.25);
+  EXPECT_TRUE(json["pressure_checkerboard"].IsNull()) << "JSON has no NaN";
+  EXPECT_EQ(json["particles"].as<int>(), 5089);
+  EXPECT_EQ(json["steps"].as<int>(), 46312);
+  EXPECT_EQ(json["threads"].as<int>(), 2);
+  EXPECT_EQ(json["wall_time_s"].as<double>(), 61.5);
+}
+
+TEST(SummaryJson, OfASlopeThatStandsHasNoOnset) {
+  couple::Summary summary = a_failure();
+  summary.onset_time.reset();
+  const YAML::Node json = YAML::Load(summary_json(a_case(), summary, {"1", "error", "stress is nan", 1, 1}));
+  EXPECT_TRUE(json["onset"].IsNull());
+  EXPECT_EQ(json["onset_criterion_m"].as<double>(), 0.02);
+  EXPECT_EQ(json["end"]["message"].as<std::string>(), "stress is nan");
+}
+
+TEST(Report, NamesTheCriterionBesideTheOnset) {
+  EXPECT_EQ(onset_text(a_failure()), "618.25 s (largest displacement above 2 cm), at x = 11.5 m, y = 5.8 m");
+  couple::Summary standing = a_failure();
+  standing.onset_time.reset();
+  EXPECT_EQ(onset_text(standing), "none (the largest displacement stayed below 2 cm)");
+}
+
+TEST(Report, SaysZoneSuctionAndWaterWithUnits) {
+  const std::string report = report_text(a_case(), a_failure(), {"1", "displacement", "", 61.5, 2});
+  for (const char* part : {"890.5 s (displacement above 0.3 m)",
+                           "15.0 m long, 7.8 m high, 2.2 m deep, 27.0 m2, run-out 0.50 m (deviatoric strain above 2 %)",
+                           "38.0 kPa at most", "1.5 m3/m in, 0.25 m3/m out, 1.25 m3/m stored, error 1.0e-09",
+                           "5089 particles, 46312 steps, 61.5 s on 2 threads"}) {
+    EXPECT_NE(report.find(part), std::string::npos) << part << "\n" << report;
+  }
+}
+
+TEST(Progress, ShowsTimeShareClockDisplacementAndTimeLeft) {
+  EXPECT_EQ(progress_text({412.3, 0.25, 12.4, 0.00123, 1000}, 2400.0, 50.0),
+            "412.3 s of 2400 s   25 %  clock x12.4  displacement 1.2 mm  2:30 left");
+  EXPECT_EQ(progress_text({2400.0, 1.0, 1.0, 0.25, 1000}, 2400.0, 50.0),
+            "2400 s of 2400 s  100 %  clock x1  displacement 0.25 m");
+  EXPECT_EQ(progress_text({100.0, 0.5, 1.0, 0.0, 10}, 200.0, 7265.0),
+            "100 s of 200 s   50 %  clock x1  displacement 0 mm  2:01:05 left");
+}
+
+}  // namespace
+}  // namespace slope::tools

@@ -1,0 +1,257 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "case_folder.hpp"
+#include "slope/couple/read_case.hpp"
+
+namespace slope::couple::test {
+namespace {
+
+std::vector<Problem> problems_of(const std::filesystem::path& file, const std::vector<std::string>& overrides = {}) {
+  try {
+    (void)read_case(file, overrides);
+  } catch (const InputError& error) {
+    return error.problems();
+  }
+  return {};
+}
+
+/// A mistake in the shipped slope: the text that it replaces, and all that the reader must say about it.
+struct Mistake {
+  const char* what;
+  const char* text;
+  const char* replacement;
+  const char* key;
+  const char* message;
+  int lines_below = 0;  ///< between the replaced text and the line that is blamed
+};
+
+std::ostream& operator<<(std::ostream& out, const Mistake& mistake) {
+  return out << mistake.what;
+}
+
+class OneMistake : public testing::TestWithParam<Mistake> {};
+
+TEST_P(OneMistake, GetsOneMessageWithFileLineKeyAndRemedy) {
+  const Mistake& mistake = GetParam();
+  const ChangedCase changed = slope_with(mistake.text, mistake.replacement);
+  const CaseFolder folder;
+  const auto file = folder.write("slope.yaml", changed.content);
+  const auto problems = problems_of(file);
+  ASSERT_EQ(problems.size(), 1u) << (problems.empty() ? "" : InputError(problems).what());
+  EXPECT_EQ(problems[0].text(), file.string() + ":" + std::to_string(changed.line + mistake.lines_below) + ": " +
+                                    mistake.key + ": " + mistake.message);
+}
+
+const Mistake keys_and_units[] = {
+    {"UnknownKey", "cohesion: 1 kPa", "cohesoin: 1 kPa", "soils.sandy_clay.strength.cohesoin",
+     R"(unknown key, did you mean "cohesion"?)"},
+    {"UnknownKeyUnlikeAnyOther", "residual_saturation: 0\n", "residual_saturation: 0\n      wetness: 1\n",
+     "soils.sandy_clay.retention.wetness",
+     "unknown key; choose one of: model, alpha, n, residual_saturation, maximum_saturation", 1},
+    {"KeyGivenTwice", "porosity: 0.35\n", "porosity: 0.35\n    porosity: 0.4\n", "soils.sandy_clay.porosity",
+     "given twice, first in line 30; keep one", 1},
+    {"MissingKey", "    porosity: 0.35\n", "", "soils.sandy_clay.porosity",
+     R"(missing; write for example "porosity: 0.35")", -3},
+    {"MissingUnit", "youngs_modulus: 10 MPa", "youngs_modulus: 10", "soils.sandy_clay.youngs_modulus",
+     R"(expected a pressure with its unit, such as "10 kPa" (units: Pa, kPa, MPa, GPa, N/m2, kN/m2, MN/m2), got 10 without a unit)"},
+    {"WrongUnit", "grain_density: 2700 kg/m3", "grain_density: 27 kN/m3", "soils.sandy_clay.grain_density",
+     R"(expected a density with its unit, such as "2700 kg/m3" (units: kg/m3, g/cm3, t/m3), got "27 kN/m3", which is a unit weight)"},
+    {"UnitOnANumber", "porosity: 0.35", "porosity: 0.35 m", "soils.sandy_clay.porosity",
+     R"(expected a number without a unit, such as 0.35 (or in percent, "35 %"), got "0.35 m", which is a length)"},
+    {"ListInsteadOfAValue", "porosity: 0.35", "porosity: [0.35]", "soils.sandy_clay.porosity",
+     "expected one number, got a list"},
+    {"ValueInsteadOfAMap", "walls: {left: roller, right: roller, base: fixed}", "walls: roller", "walls",
+     R"(expected a map of keys, got "roller")"},
+    {"UnknownChoice", "left: roller", "left: rollers", "walls.left",
+     R"(unknown choice "rollers", did you mean "roller"?)"},
+    {"UnknownModel", "model: hillel", "model: corey", "soils.sandy_clay.relative_permeability.model",
+     R"(unknown model "corey"; choose one of: hillel, liakopoulos, exponential, van_genuchten_mualem)"},
+    {"UnknownSoil", "soil: sandy_clay", "soil: sandy_caly", "geometry.0.soil",
+     R"(there is no soil "sandy_caly", did you mean "sandy_clay"?)"},
+    {"NameThatIsNone", "name: rain", "name: 1 rain", "water_boundaries.1 rain.name",
+     R"(a name begins with a letter and has only letters, digits, _ and -; got "1 rain")"},
+};
+INSTANTIATE_TEST_SUITE_P(KeysAndUnits, OneMistake, testing::ValuesIn(keys_and_units),
+                         [](const auto& instance) { return instance.param.what; });
+
+const Mistake physics[] = {
+    {"NegativePorosity", "porosity: 0.35", "porosity: -0.35", "soils.sandy_clay.porosity",
+     "must be above 0 and below 1, got -0.35"},
+    {"PorosityOfOne", "porosity: 0.35", "porosity: 100 %", "soils.sandy_clay.porosity",
+     "must be above 0 and below 1, got 100 %"},
+    {"FlatRetention", "n: 3\n", "n: 1\n", "soils.sandy_clay.retention.n", "must be above 1, got 1"},
+    {"PoissonsRatio", "poissons_ratio: 0.33", "poissons_ratio: 0.5", "soils.sandy_clay.poissons_ratio",
+     "must be above -1 and below 0.5, got 0.5"},
+    {"NoStiffness", "youngs_modulus: 10 MPa", "youngs_modulus: 0 MPa", "soils.sandy_clay.youngs_modulus",
+     "must be above 0 Pa, got 0 MPa"},
+    {"NegativeWaterDensity", "density: 1000 kg/m3", "density: -1 kg/m3", "water.density",
+     "must be above 0 kg/m3, got -1 kg/m3"},
+    {"FrictionAngle", "friction_angle: 25 deg", "friction_angle: 90 deg", "soils.sandy_clay.strength.friction_angle",
+     "must be at least 0 deg and below 90 deg, got 90 deg"},
+    {"DilatancyAboveFriction", "dilatancy_angle: 0 deg", "dilatancy_angle: 30 deg",
+     "soils.sandy_clay.strength.dilatancy_angle", "must not exceed the friction angle of 25 deg, got 30 deg"},
+    {"ResidualAboveMaximum", "residual_saturation: 0\n      maximum_saturation: 1",
+     "residual_saturation: 0.9\n      maximum_saturation: 0.8", "soils.sandy_clay.retention.residual_saturation",
+     "must be below maximum_saturation, 0.8, got 0.9"},
+    {"MualemWithoutRetentionToFollow",
+     "retention:\n      model: van_genuchten\n      alpha: 0.05 1/m\n      n: 3\n      residual_saturation: 0\n"
+     "      maximum_saturation: 1\n    relative_permeability: {model: hillel, exponent: 2}",
+     "retention: {model: liakopoulos, coefficient: 0.1, exponent: 2}\n    relative_permeability: {model: "
+     "van_genuchten_mualem}",
+     "soils.sandy_clay.relative_permeability.n",
+     R"(missing; the retention curve is no van Genuchten curve to take it from; write for example "n: 3")", 1},
+    {"NegativeStart", "start: 0 s", "start: -1 s", "water_boundaries.rain.start", "must be at least 0 s, got -1 s"},
+    {"NoTime", "time: 40 min", "time: 0 min", "stop.time", "must be above 0 s, got 0 min"},
+    {"HistoryWithoutInterval", "history_interval: 1 s", "history_interval: 0 s", "output.history_interval",
+     "must be above 0 s, got 0 s"},
+};
+INSTANTIATE_TEST_SUITE_P(Physics, OneMistake, testing::ValuesIn(physics),
+                         [](const auto& instance) { return instance.param.what; });
+
+const Mistake places[] = {
+    {"DomainOfPartialCells", "upper: [36 m, 14 m]", "upper: [36.2 m, 14 m]", "domain.upper",
+     "the width of 36.2 m is not a whole number of cells of 0.5 m; x = 36.5 m would be"},
+    {"DomainUpsideDown", "upper: [36 m, 14 m]", "upper: [36 m, -1 m]", "domain.upper",
+     "must be above lower, got (36 m, -1 m) and (0 m, 0 m)"},
+    {"CellsBeyondCounting", "cell_size: 0.5 m", "cell_size: 0.5 mm", "domain.cell_size",
+     "makes 2.02e+09 cells, at most 4e+06 are possible; choose a larger cell"},
+    {"NoGeometry",
+     "geometry:\n  - soil: sandy_clay\n    polygon: [[0 m, 0 m], [36 m, 0 m], [36 m, 12 m], [22.6 m, 12 m], [10 m, 5 "
+     "m], [0 m, 5 m]]",
+     "geometry: []", "geometry", "needs at least 1 item, got 0"},
+    {"PolygonOfTwoCorners", "[36 m, 12 m], [22.6 m, 12 m], [10 m, 5 m], [0 m, 5 m]]", "]", "geometry.0.polygon",
+     "needs at least 3 items, got 2"},
+    {"PolygonOnALine", "[36 m, 12 m], [22.6 m, 12 m], [10 m, 5 m], [0 m, 5 m]]", "[20 m, 0 m]]", "geometry.0.polygon",
+     "the polygon encloses no area; its corners lie on one line"},
+    {"PolygonThatCrossesItself", "[36 m, 12 m], [22.6 m, 12 m], [10 m, 5 m], [0 m, 5 m]]", "[0 m, 5 m], [36 m, 12 m]]",
+     "geometry.0.polygon",
+     "the edges from (36 m, 0 m) and from (36 m, 12 m) cross each other; give the corners in order"},
+    {"PolygonWithoutParticles", "[[0 m, 0 m], [36 m, 0 m], [36 m, 12 m], [22.6 m, 12 m], [10 m, 5 m], [0 m, 5 m]]",
+     "[[0 m, 0 m], [10 cm, 0 m], [10 cm, 10 cm]]", "geometry.0.polygon",
+     "no particle lies in the polygon; it is too small for cells of 0.5 m"},
+    {"CornerOutsideOfTheDomain", "[36 m, 12 m], ", "[36 m, 15 m], ", "geometry.0.polygon.2",
+     "the corner (36 m, 15 m) is outside of the domain, which goes from (0 m, 0 m) to (36 m, 14 m)"},
+    {"PointInTheAir", "C2: [16.3 m, 7.75 m]", "C2: [16.3 m, 13 m]", "points.C2",
+     "the point (16.3 m, 13 m) lies outside of the soil; move it into a region of geometry"},
+    {"RainBesideTheSoil", "at: ground_surface,", "at: ground_surface, from: 40 m,", "water_boundaries.rain",
+     R"(no particle lies there; check "at", "from" and "to")"},
+    {"TwoPressuresInOnePlace", "water_boundaries:\n",
+     "water_boundaries:\n  - {name: pond, at: ground_surface, to: 5 m, total_head: 6 m}\n", "water_boundaries.rain",
+     R"(overlaps with "pond", and a pressure can be held only once; part them by "from" and "to")", 2},
+    {"TwoBoundariesOfOneName", "water_boundaries:\n", "water_boundaries:\n  - {name: rain, at: left, pressure: 0 Pa}\n",
+     "water_boundaries.rain.name", R"("rain" is the name of an earlier one; choose another)", 2},
+    {"BoundaryWithoutCondition", "pressure: 0 kPa, applied_to: particle, ", "", "water_boundaries.rain",
+     R"(needs one of pressure, total_head and flux, got none; write for example "pressure: 0 kPa")"},
+    {"BoundaryWithTwoConditions", "pressure: 0 kPa,", "pressure: 0 kPa, flux: 1 mm/h,", "water_boundaries.rain",
+     R"(needs one of pressure, total_head and flux, got 2; write for example "pressure: 0 kPa")"},
+    {"FluxInAParticle", "pressure: 0 kPa, applied_to: particle", "flux: 1 mm/h, applied_to: particle",
+     "water_boundaries.rain.applied_to", "a flux always enters through the face; remove this key"},
+    {"SteadyWithoutBoundary", "type: hydrostatic", "type: steady", "initial.water",
+     R"(steady seepage needs a water boundary with a pressure or total_head and "initial: true")"},
+    {"InitialWithoutSteady", "ramp: 5 s}", "ramp: 5 s, initial: true}", "water_boundaries.rain.initial",
+     "has a meaning only with initial.water of type steady; remove it"},
+    {"LoadBesideTheSoil", "coupling:\n",
+     "loads:\n  - {name: fill, at: base, to: -1 m, traction: [0 Pa, 1 kPa]}\n\ncoupling:\n", "loads.fill",
+     R"(no particle lies there; check "at", "from" and "to")", 1},
+    {"SnapshotAfterTheEnd", "history_interval: 1 s", "snapshots: [1 min, 1 h]", "output.snapshots.1",
+     "3600 s is after the end of the run, stop.time = 2400 s"},
+};
+INSTANTIATE_TEST_SUITE_P(Places, OneMistake, testing::ValuesIn(places),
+                         [](const auto& instance) { return instance.param.what; });
+
+TEST(CaseProblems, AReferenceThatIsNotThereIsTold) {
+  const CaseFolder folder;
+  const ChangedCase changed = slope_with("output:\n", "figures: {profile_reference: measured.csv}\noutput:\n");
+  const auto file = folder.write("slope.yaml", changed.content);
+  const auto problems = problems_of(file);
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_EQ(problems[0].text(), file.string() + ":" + std::to_string(changed.line) +
+                                    ": figures.profile_reference: there is no file " +
+                                    (folder.path() / "measured.csv").string());
+}
+
+TEST(CaseProblems, AreAllToldAtOnceInTheOrderOfTheFile) {
+  const CaseFolder folder;
+  std::string content = slope_with("porosity: 0.35", "porosity: 2").content;
+  for (const auto& [text, replacement] :
+       std::vector<std::pair<std::string, std::string>>{{"title:", "titel:"},
+                                                        {"cell_size: 0.5 m", "cell_size: 0.5"},
+                                                        {"  time: 40 min\n", ""},
+                                                        {"n: 3\n", "n: 0.5\n"}}) {
+    content.replace(content.find(text), text.size(), replacement);
+  }
+  const auto problems = problems_of(folder.write("slope.yaml", content));
+  std::vector<std::string> keys;
+  for (const Problem& problem : problems) keys.push_back(problem.key);
+  EXPECT_EQ(keys, (std::vector<std::string>{"titel", "domain.cell_size", "soils.sandy_clay.porosity",
+                                            "soils.sandy_clay.retention.n", "stop.time"}));
+  EXPECT_TRUE(
+      std::is_sorted(problems.begin(), problems.end(), [](const auto& a, const auto& b) { return a.line < b.line; }));
+}
+
+TEST(CaseProblems, AnEmptyCaseIsToldEveryKeyThatItNeeds) {
+  const CaseFolder folder;
+  const auto problems = problems_of(folder.write("case.yaml", "title: nothing yet\n"));
+  std::vector<std::string> keys;
+  for (const Problem& problem : problems) {
+    keys.push_back(problem.key);
+    EXPECT_TRUE(problem.message.starts_with("missing; write for example \"" + problem.key + ": ")) << problem.message;
+  }
+  EXPECT_EQ(keys, (std::vector<std::string>{"domain", "walls", "soils", "geometry", "initial", "stop"}));
+}
+
+/// Files that hold no case at all.
+struct NoCase {
+  const char* what;
+  std::string content;
+  const char* rest;  ///< of the message, after the file's name
+};
+
+std::ostream& operator<<(std::ostream& out, const NoCase& file) {
+  return out << file.what;
+}
+
+class NoCaseAtAll : public testing::TestWithParam<NoCase> {};
+
+TEST_P(NoCaseAtAll, GetsOneMessage) {
+  const CaseFolder folder;
+  const auto file = folder.write("case.yaml", GetParam().content);
+  const auto problems = problems_of(file);
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_EQ(problems[0].text(), file.string() + GetParam().rest);
+}
+
+const NoCase no_cases[] = {
+    {"Empty", "", ": the file is empty"},
+    {"OnlyComments", "# nothing\n", ": the file is empty"},
+    {"OpenBracket", "title: [1, 2\nwalls: x\n", ":2: not YAML: end of sequence flow not found"},
+    {"Tab", "title: x\n\twalls: y\n", ":2: not YAML: illegal tab when looking for indentation"},
+    {"Words", "a slope\n", ":1: expected a map of keys, got \"a slope\""},
+    {"List", "- 1\n", ":1: expected a map of keys, got a list"},
+    {"Bytes",
+     std::string("\x7f"
+                 "ELF\0\1",
+                 6),
+     ": not YAML: it has bytes that no text has"},
+    {"TwoDocuments", "title: x\n---\ntitle: y\n", ":3: a second YAML document begins here; a case is one document"},
+    {"AnchorInItself", "title: &a [*a]\n", ":1: nested too deeply for a case file"},
+};
+INSTANTIATE_TEST_SUITE_P(Files, NoCaseAtAll, testing::ValuesIn(no_cases),
+                         [](const auto& instance) { return instance.param.what; });
+
+TEST(CaseProblems, AFileThatCannotBeReadIsAFileError) {
+  const CaseFolder folder;
+  EXPECT_THROW((void)read_case(folder.path() / "none.yaml"), FileError);
+  EXPECT_THROW((void)read_case(folder.path()), FileError);
+  try {
+    (void)read_case(folder.path() / "none.yaml");
+  } catch (const FileError& error) {
+    EXPECT_EQ(error.what(), (folder.path() / "none.yaml").string() + ": cannot be read: No such file or directory");
+  }
+}
+
+}  // namespace
+}  // namespace slope::couple::test

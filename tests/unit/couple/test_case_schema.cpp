@@ -1,0 +1,192 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "case_folder.hpp"
+#include "input.hpp"
+#include "schema_checker.hpp"
+#include "slope/couple/read_case.hpp"
+
+namespace slope::couple::test {
+namespace {
+
+Document parsed(const std::string& text) {
+  std::vector<Problem> problems;
+  Document document = parse_yaml(text, "text", problems);
+  EXPECT_TRUE(problems.empty());
+  return document;
+}
+
+std::string joined_lines(const std::vector<std::string>& lines) {
+  std::string out;
+  for (const std::string& line : lines) out += line + "\n";
+  return out;
+}
+
+class CaseSchema : public testing::Test {
+ protected:
+  const Document schema_ = parsed(case_schema());
+};
+
+TEST_F(CaseSchema, IsDraft202012) {
+  EXPECT_EQ(schema_.find("$schema")->value, "https://json-schema.org/draft/2020-12/schema");
+  EXPECT_EQ(schema_.find("type")->value, "object");
+}
+
+TEST_F(CaseSchema, HoldsForTheShippedCasesAsWrittenAndResolved) {
+  ASSERT_FALSE(shipped_case_files().empty());
+  for (const auto& file : shipped_case_files()) {
+    EXPECT_EQ(joined_lines(schema_violations(schema_, parsed(content_of(file)))), "") << file;
+    EXPECT_EQ(joined_lines(schema_violations(schema_, parsed(resolved_yaml(read_case(file))))), "") << file;
+  }
+}
+
+TEST_F(CaseSchema, RefusesWhatTheReaderRefuses) {
+  const std::vector<std::pair<std::string, std::string>> mistakes{
+      {"porosity: 0.35", "porosity: -0.35"},
+      {"porosity: 0.35", "porosity: 0.35 m"},
+      {"youngs_modulus: 10 MPa", "youngs_modulus: 10"},
+      {"grain_density: 2700 kg/m3", "grain_density: 27 kN/m3"},
+      {"cohesion: 1 kPa", "cohesoin: 1 kPa"},
+      {"    porosity: 0.35\n", ""},
+      {"n: 3\n", "n: 1\n"},
+      {"left: roller", "left: rollers"},
+      {"model: hillel", "model: corey"},
+      {"pressure: 0 kPa,", ""},
+      {"pressure: 0 kPa,", "pressure: 0 kPa, flux: 1 mm/h,"},
+      {"name: rain", "name: 1 rain"},
+      {"particles_per_cell: 4", "particles_per_cell: 5"},
+      {"lower: [0 m, 0 m]", "lower: [0 m]"},
+      {"A1: [10.9 m", "A 1: [10.9 m"},
+  };
+  for (const auto& [text, replacement] : mistakes) {
+    const std::string content = slope_with(text, replacement).content;
+    EXPECT_FALSE(schema_violations(schema_, parsed(content)).empty()) << replacement;
+  }
+}
+
+/// The keys that a schema names for this document: of its properties, or of the branch that has its model or type.
+std::set<std::string> keys_of(const Document& schema, const Document& document) {
+  std::set<std::string> keys;
+  const auto add = [&keys](const Document& object) {
+    for (const Document& property : object.find("properties")->children) keys.insert(property.key);
+  };
+  if (schema.find("properties") != nullptr) {
+    add(schema);
+    return keys;
+  }
+  for (const Document& branch : schema.find("oneOf")->children) {
+    for (const char* word : {"model", "type"}) {
+      const Document* chosen = document.find(word);
+      const Document* property = branch.find("properties")->find(word);
+      if (chosen != nullptr && property != nullptr && property->find("const")->value == chosen->value) add(branch);
+    }
+  }
+  return keys;
+}
+
+/// The schema of an entry of this document.
+const Document* schema_of_entry(const Document& schema, const Document& document, const Document& entry) {
+  if (const Document* items = schema.find("items")) return items;
+  if (const Document* properties = schema.find("properties")) return properties->find(entry.key);
+  if (const Document* others = schema.find("additionalProperties")) return others;
+  for (const Document& branch : schema.find("oneOf")->children) {
+    if (schema_violations(branch, document).empty()) return branch.find("properties")->find(entry.key);
+  }
+  return nullptr;
+}
+
+/// The keys that the reader lists when it meets one that it cannot know.
+std::set<std::string> keys_the_reader_lists(const std::filesystem::path& file, const std::string& path) {
+  const std::string bogus = joined_key(path, "zzzzzzzz");
+  try {
+    (void)read_case(file, {bogus + "=1"});
+  } catch (const InputError& error) {
+    for (const Problem& problem : error.problems()) {
+      const std::string start = "unknown key; choose one of: ";
+      if (problem.key != bogus || !problem.message.starts_with(start)) continue;
+      std::set<std::string> keys;
+      std::string word;
+      for (const char c : problem.message.substr(start.size()) + ",") {
+        if (c == ',') {
+          keys.insert(word);
+          word.clear();
+        } else if (c != ' ') {
+          word += c;
+        }
+      }
+      return keys;
+    }
+  }
+  return {};
+}
+
+/// By what problems call an entry: its key, the name of a list item, or else its number.
+std::string word_for(const Document& entry, std::size_t number) {
+  if (!entry.key.empty()) return entry.key;
+  const Document* name = entry.find("name");
+  return name != nullptr ? name->value : std::to_string(number);
+}
+
+/// Compares, for every map of the document, what schema and reader say its keys are.
+void compare_keys(const std::filesystem::path& file, const Document& schema, const Document& document,
+                  const std::string& path, std::set<std::string>& seen) {
+  const bool named = schema.find("propertyNames") != nullptr;
+  if (document.kind == Document::Kind::map && !named) {
+    EXPECT_EQ(keys_of(schema, document), keys_the_reader_lists(file, path)) << path;
+    seen.insert(path);
+  }
+  for (std::size_t i = 0; i < document.children.size(); ++i) {
+    const Document& entry = document.children[i];
+    if (entry.children.empty()) continue;
+    const Document* inner = schema_of_entry(schema, document, entry);
+    ASSERT_NE(inner, nullptr) << path << " " << entry.key;
+    compare_keys(file, *inner, entry, joined_key(path, word_for(entry, i)), seen);
+  }
+}
+
+TEST_F(CaseSchema, NamesExactlyTheKeysThatTheReaderKnows) {
+  const CaseFolder folder;
+  for (const auto& shipped : shipped_case_files()) {
+    Case input = read_case(shipped);
+    input.water_boundaries.at(0).name = "rain";
+    input.figures.profile_reference.clear();
+    input.figures.contour_times = {1.0};
+    input.tractions = {{"fill", {}, {0.0, -1.0}, 0.0, 0.0}};
+    const std::string resolved = resolved_yaml(input);
+    std::set<std::string> seen;
+    compare_keys(folder.write("case.yaml", resolved), schema_, parsed(resolved), "", seen);
+    for (const char* path :
+         {"", "domain", "walls", "water", "geometry.0", "initial", "initial.water", "water_boundaries.rain",
+          "loads.fill", "coupling", "numerics", "clock", "failure", "stop", "output", "figures"}) {
+      EXPECT_TRUE(seen.contains(path)) << path;
+    }
+  }
+}
+
+TEST_F(CaseSchema, EveryAlternativeIsAccepted) {
+  const std::vector<std::string> assignments{
+      "soils.silty_sand.strength={model: elastic}",
+      "soils.silty_sand.retention={model: exponential, alpha: 1 1/m, residual_saturation: 0.1, maximum_saturation: 1}",
+      "soils.silty_sand.retention={model: liakopoulos, coefficient: 0.1, exponent: 2, floor: 0.1}",
+      "soils.silty_sand.relative_permeability={model: liakopoulos, coefficient: 2.2, exponent: 1, floor: 1e-5}",
+      "soils.silty_sand.relative_permeability={model: exponential, alpha: 1 1/m}",
+      "soils.silty_sand.relative_permeability={model: van_genuchten_mualem, n: 2, residual_saturation: 0, "
+      "maximum_saturation: 1}",
+      "initial.water={type: uniform, pressure: -3 kPa}",
+      "initial.water={type: hydrostatic, water_table: 2 m, maximum_suction: 50 kPa}",
+  };
+  const CaseFolder folder;
+  for (const std::string& assignment : assignments) {
+    const Case input = read_case(shipped_cases() / "quick.yaml", {assignment});
+    const std::string resolved = resolved_yaml(input);
+    EXPECT_EQ(joined_lines(schema_violations(schema_, parsed(resolved))), "") << assignment;
+    EXPECT_EQ(resolved_yaml(read_case(folder.write("case.yaml", resolved))), resolved) << assignment;
+    std::set<std::string> seen;
+    compare_keys(folder.path() / "case.yaml", schema_, parsed(resolved), "", seen);
+  }
+}
+
+}  // namespace
+}  // namespace slope::couple::test

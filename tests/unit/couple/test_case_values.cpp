@@ -1,0 +1,156 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cctype>
+#include <numbers>
+
+#include "case_folder.hpp"
+#include "slope/couple/read_case.hpp"
+
+namespace slope::couple::test {
+namespace {
+
+class ShippedCase : public testing::TestWithParam<std::filesystem::path> {};
+
+TEST_P(ShippedCase, ResolvedReadsBackTheSame) {
+  Case input = read_case(GetParam());
+  const CaseFolder folder;
+  if (!input.figures.profile_reference.empty()) {
+    folder.write("reference.csv", "");
+    input.figures.profile_reference = "reference.csv";
+  }
+  const std::string resolved = resolved_yaml(input);
+  const Case again = read_case(folder.write("case.yaml", resolved));
+  EXPECT_EQ(resolved_yaml(again), resolved);
+  EXPECT_EQ(again.soils.size(), input.soils.size());
+  EXPECT_EQ(again.stop.displacement, input.stop.displacement);
+  EXPECT_EQ(again.output.snapshots, input.output.snapshots);
+  EXPECT_EQ(again.initial_water.index(), input.initial_water.index());
+}
+
+INSTANTIATE_TEST_SUITE_P(All, ShippedCase, testing::ValuesIn(shipped_case_files()), [](const auto& instance) {
+  std::string name = instance.param.stem().string();
+  std::replace_if(
+      name.begin(), name.end(), [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); }, '_');
+  return name;
+});
+
+TEST(CaseValues, TheSlopeIsTheOneOfThePapersTable2) {
+  const Case input = read_case(shipped_cases() / "slope-w2.yaml");
+  const Soil& soil = input.soils.at(0);
+  const auto& strength = std::get<solid::DruckerPrager>(soil.solid.strength);
+  const auto& retention = std::get<seepage::VanGenuchten>(soil.seepage.retention);
+  EXPECT_EQ(soil.solid.elastic.youngs_modulus, 10.0e6);
+  EXPECT_EQ(soil.solid.elastic.poissons_ratio, 0.33);
+  EXPECT_EQ(soil.porosity, 0.35);
+  EXPECT_EQ(soil.solid.grain_density, 2700.0);
+  EXPECT_EQ(input.water.density, 1000.0);
+  EXPECT_EQ(input.water.bulk_modulus, 2.0e9);
+  EXPECT_EQ(strength.cohesion, 1.0e3);
+  EXPECT_EQ(strength.friction_angle, 25.0 * std::numbers::pi / 180.0);
+  EXPECT_EQ(strength.maximum_cohesion_increase, 100.0e3);
+  EXPECT_EQ(strength.friction_angle_suction_rate, 0.0);
+  EXPECT_EQ(strength.cohesion_suction_rate, 0.07);
+  EXPECT_EQ(soil.seepage.hydraulic_conductivity, 1.0e-5);
+  EXPECT_EQ(retention.alpha, 0.05);
+  EXPECT_EQ(retention.n, 3.0);
+  EXPECT_EQ(std::get<seepage::HillelPower>(soil.seepage.relative_permeability.law).exponent, 2.0);
+  EXPECT_EQ(std::get<HydrostaticWater>(input.initial_water).water_table, 3.0);
+  EXPECT_EQ(input.mixture_density, MixtureDensity::saturated);
+  const auto& rain = std::get<PrescribedPressure>(input.water_boundaries.at(0).condition);
+  EXPECT_EQ(rain.pressure, 0.0);
+  EXPECT_FALSE(rain.at_face);
+  EXPECT_EQ(input.points.size(), 7u);
+}
+
+TEST(CaseValues, TheColumnIsTheOneOfThePapersTable1) {
+  const Case input = read_case(shipped_cases() / "liakopoulos.yaml");
+  const Soil& soil = input.soils.at(0);
+  EXPECT_EQ(soil.solid.elastic.youngs_modulus, 1.3e6);
+  EXPECT_EQ(soil.solid.elastic.poissons_ratio, 0.4);
+  EXPECT_EQ(soil.porosity, 0.2975);
+  EXPECT_EQ(soil.solid.grain_density, 2000.0);
+  EXPECT_EQ(soil.seepage.hydraulic_conductivity, 4.41e-6);
+  EXPECT_EQ(std::get<seepage::LiakopoulosRetention>(soil.seepage.retention).coefficient, 0.10152);
+  EXPECT_EQ(std::get<seepage::LiakopoulosRetention>(soil.seepage.retention).exponent, 2.4279);
+  EXPECT_EQ(std::get<seepage::LiakopoulosPermeability>(soil.seepage.relative_permeability.law).coefficient, 2.207);
+  EXPECT_TRUE(std::get<PrescribedPressure>(input.water_boundaries.at(0).condition).at_face);
+  EXPECT_EQ(input.output.snapshots, (std::vector<double>{60, 120, 300, 600, 1200, 1800, 3600, 7200}));
+}
+
+/// The shipped slope with everything that it leaves out, each in its other form.
+std::string full_case() {
+  std::string content = slope_with("type: hydrostatic, water_table: 3 m", "type: steady, water_table: 3 m").content;
+  const auto replace = [&content](const std::string& text, const std::string& replacement) {
+    content.replace(content.find(text), text.size(), replacement);
+  };
+  replace("title:", "gravity: 3.71 m/s2\ntitle:");
+  replace("water_boundaries:\n",
+          "loads:\n"
+          "  - {name: fill, at: ground_surface, from: 30 m, traction: [0 kPa, -10 kPa], start: 1 h, ramp: 10 s}\n"
+          "water_boundaries:\n"
+          "  - {name: river, at: left, to: 2 m, total_head: 2.5 m, applied_to: face, initial: true}\n"
+          "  - {name: drizzle, at: right, from: 11 m, flux: 36 mm/h, start: 3 min}\n");
+  replace("skeleton: deformable", "skeleton: rigid");
+  replace("relative_permeability: {model: hillel, exponent: 2}",
+          "relative_permeability: {model: van_genuchten_mualem, floor: 1e-7}");
+  content +=
+      "  snapshots: [3 s, 1 s, 3 s]\n"
+      "numerics: {shape_function: linear, flip_fraction: 95 %, courant_number: 0.3, pressure_tolerance: 0.1, "
+      "smoothing_length: 1.3}\n"
+      "clock: {adaptive: false, inertia_limit: 0.1, change_fraction: 0.2, maximum_factor: 10}\n"
+      "figures: {profile_times: [2 s], contour_times: [1 s, 40 min]}\n";
+  return content;
+}
+
+TEST(CaseValues, EveryKeyReachesTheCase) {
+  const CaseFolder folder;
+  const Case input = read_case(folder.write("slope.yaml", full_case()));
+  EXPECT_EQ(input.gravity, 3.71);
+  EXPECT_EQ(input.water.gravity, 3.71);
+  EXPECT_EQ(std::get<SteadyWater>(input.initial_water).water_table, 3.0);
+  ASSERT_EQ(input.water_boundaries.size(), 3u);
+  const WaterBoundary& river = input.water_boundaries[0];
+  EXPECT_EQ(river.where.place, Place::left);
+  EXPECT_EQ(river.where.from, -never);
+  EXPECT_EQ(river.where.to, 2.0);
+  EXPECT_TRUE(river.initial);
+  EXPECT_EQ(std::get<PrescribedPressure>(river.condition).total_head, 2.5);
+  EXPECT_TRUE(std::get<PrescribedPressure>(river.condition).at_face);
+  EXPECT_EQ(std::get<PrescribedFlux>(input.water_boundaries[1].condition).flux, 1.0e-5);
+  EXPECT_EQ(input.water_boundaries[1].start, 180.0);
+  ASSERT_EQ(input.tractions.size(), 1u);
+  EXPECT_EQ(input.tractions[0].traction, (Point{0.0, -1.0e4}));
+  EXPECT_EQ(input.tractions[0].start, 3600.0);
+  EXPECT_EQ(input.skeleton, Skeleton::rigid);
+  const auto& permeability = input.soils.at(0).seepage.relative_permeability;
+  EXPECT_EQ(std::get<seepage::VanGenuchtenMualem>(permeability.law).n, 3.0);
+  EXPECT_EQ(permeability.floor, 1.0e-7);
+  EXPECT_EQ(input.numerics.shape_function, ShapeFunction::linear);
+  EXPECT_EQ(input.numerics.flip_fraction, 0.95);
+  EXPECT_EQ(input.numerics.courant_number, 0.3);
+  EXPECT_EQ(input.numerics.pressure_tolerance, 0.1);
+  EXPECT_EQ(input.numerics.smoothing_length, 1.3);
+  EXPECT_FALSE(input.clock.adaptive);
+  EXPECT_EQ(input.clock.inertia_limit, 0.1);
+  EXPECT_EQ(input.clock.change_fraction, 0.2);
+  EXPECT_EQ(input.clock.maximum_factor, 10.0);
+  EXPECT_EQ(input.onset_displacement, 0.02);
+  EXPECT_EQ(input.failure_zone_strain, 0.02);
+  EXPECT_EQ(input.output.snapshots, (std::vector<double>{1, 2, 3, 2400}))
+      << "sorted, once each, with the figures' times";
+}
+
+TEST(CaseValues, EveryKeyIsWrittenBack) {
+  const CaseFolder folder;
+  const std::string resolved = resolved_yaml(read_case(folder.write("slope.yaml", full_case())));
+  EXPECT_EQ(resolved_yaml(read_case(folder.write("resolved.yaml", resolved))), resolved);
+  for (const char* line :
+       {"gravity: 3.71 m/s2", "type: steady", "total_head: 2.5 m", "flux: 1e-05 m/s", "flip_fraction: 0.95",
+        "applied_to: face", "initial: true", "youngs_modulus: 10 MPa", "friction_angle: 25 deg"}) {
+    EXPECT_NE(resolved.find(line), std::string::npos) << line << "\n" << resolved;
+  }
+}
+
+}  // namespace
+}  // namespace slope::couple::test
