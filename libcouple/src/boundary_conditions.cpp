@@ -15,10 +15,14 @@ double ramp_share(double time, double start, double ramp) {
 // Where a place's faces lie, seen from their particles, in spacings.
 Point face_of(Place place) {
   switch (place) {
-    case Place::ground_surface: return {0.0, 0.5};
-    case Place::base: return {0.0, -0.5};
-    case Place::left: return {-0.5, 0.0};
-    case Place::right: return {0.5, 0.0};
+    case Place::ground_surface:
+      return {0.0, 0.5};
+    case Place::base:
+      return {0.0, -0.5};
+    case Place::left:
+      return {-0.5, 0.0};
+    case Place::right:
+      return {0.5, 0.0};
   }
   return {0.0, 0.0};
 }
@@ -61,8 +65,8 @@ void BoundaryConditions::apply(double time, const Mixture& mixture, Actions& act
     const double share = ramp_share(time, traction.start, traction.ramp);
     const Point face = face_of(traction.where.place);
     for (const std::size_t p : traction_particles_[k]) {
-      actions.tractions.push_back({p, share * traction.traction[0], share * traction.traction[1], face[0] * spacing_,
-                                   face[1] * spacing_});
+      actions.tractions.push_back(
+          {p, share * traction.traction[0], share * traction.traction[1], face[0] * spacing_, face[1] * spacing_});
     }
   }
 }
@@ -75,8 +79,7 @@ void BoundaryConditions::apply_initial(const Mixture& mixture, Actions& actions)
   }
 }
 
-void BoundaryConditions::add_water(std::size_t boundary, double share, const Mixture& mixture,
-                                   Actions& actions) const {
+void BoundaryConditions::add_water(std::size_t boundary, double share, const Mixture& mixture, Actions& actions) const {
   const WaterBoundary& condition = water_[boundary];
   const auto index = static_cast<std::uint32_t>(boundary);
   const double unit_weight = mixture.water.water().unit_weight();

@@ -19,7 +19,9 @@ class BoundaryConditions {
   /// What holds before the start: the conditions marked `initial`, at their full value.
   void apply_initial(const Mixture& mixture, Actions& actions) const;
   /// Pressures from which ramps start.
-  void remember_pressures(std::span<const double> pressure) { first_pressure_.assign(pressure.begin(), pressure.end()); }
+  void remember_pressures(std::span<const double> pressure) {
+    first_pressure_.assign(pressure.begin(), pressure.end());
+  }
 
   /// Times at which a condition begins or ends its ramp, ascending (s).
   [[nodiscard]] const std::vector<double>& change_times() const { return change_times_; }

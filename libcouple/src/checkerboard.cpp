@@ -18,8 +18,8 @@ double pressure_checkerboard(const seepage::HeadOperator& head_operator, const s
     double sum = 0.0, weights = 0.0;
     for (std::size_t s = neighbours.start[p]; s < neighbours.start[p + 1]; ++s) {
       const std::size_t q = neighbours.index[s];
-      const double expected = 0.5 * ((gx[p] + gx[q]) * (skeleton.x[p] - skeleton.x[q]) +
-                                     (gy[p] + gy[q]) * (skeleton.y[p] - skeleton.y[q]));
+      const double expected =
+          0.5 * ((gx[p] + gx[q]) * (skeleton.x[p] - skeleton.x[q]) + (gy[p] + gy[q]) * (skeleton.y[p] - skeleton.y[q]));
       sum += conductance[s] * (pressure[p] - pressure[q] - expected);
       weights += conductance[s];
     }

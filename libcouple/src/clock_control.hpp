@@ -29,8 +29,9 @@ class ClockControl {
     double factor = 1.0;
     double velocity_scale = 1.0;
   };
-  /// For a step that starts at `time` and must not pass `next` (s): the steps up to `next` are equal. Velocities belong to
-  /// the soil's own time; where the factor falls they fall with it, so that what creeps does not gain speed in physical time.
+  /// For a step that starts at `time` and must not pass `next` (s): the steps up to `next` are equal. Velocities belong
+  /// to the soil's own time; where the factor falls they fall with it, so that what creeps does not gain speed in
+  /// physical time.
   Pace pace(double time, double next, double time_step);
   /// Takes note of a step done; every block of steps the factor is judged anew.
   void observe(double time_step, std::span<const double> ux, std::span<const double> uy,

@@ -29,8 +29,7 @@ double deviatoric_strain_of(const solid::Particles& particles, std::size_t p) {
 }
 
 FailureZone find_failure_zone(const solid::Particles& particles, std::span<const double> suction,
-                              const GroundSurface& surface, double spacing, double threshold,
-                              double moved) {
+                              const GroundSurface& surface, double spacing, double threshold, double moved) {
   FailureZone zone;
   if (!suction.empty()) zone.largest_suction = std::max(0.0, *std::ranges::max_element(suction));
   std::vector<std::size_t> failed;

@@ -10,7 +10,7 @@ namespace slope::couple {
 
 namespace {
 
-constexpr double balanced = 1.0e-6;  // unbalanced over gravity forces at which the stress is taken as found
+constexpr double balanced = 1.0e-6;      // unbalanced over gravity forces at which the stress is taken as found
 constexpr double longest_search = 40.0;  // first periods
 
 }  // namespace

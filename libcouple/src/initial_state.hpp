@@ -15,8 +15,8 @@ namespace slope::couple {
 /// @throws SimulationError if it does not come to rest
 void find_steady_flow(Mixture& mixture, const BoundaryConditions& conditions);
 
-/// Builds the self-weight stress at fixed positions, first elastic, then with the soil's strength, by damped motion; the
-/// pore pressure stays as it is. @return the unbalanced over the gravity forces that are left (-)
+/// Builds the self-weight stress at fixed positions, first elastic, then with the soil's strength, by damped motion;
+/// the pore pressure stays as it is. @return the unbalanced over the gravity forces that are left (-)
 double find_self_weight_stress(Mixture& mixture, const Actions& actions, const SlopeScale& scale, double time_step);
 
 }  // namespace slope::couple

@@ -55,7 +55,9 @@ seepage::PoreFlow make_water(const Case& input, const InitialParticles& particle
   return {std::move(soils), water, soil_indices(particles), pressure, skeleton, settings};
 }
 
-seepage::Skeleton view(const solid::Particles& p) { return {p.x, p.y, p.volume, p.porosity}; }
+seepage::Skeleton view(const solid::Particles& p) {
+  return {p.x, p.y, p.volume, p.porosity};
+}
 
 }  // namespace
 

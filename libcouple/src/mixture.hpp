@@ -10,8 +10,8 @@
 
 namespace slope::couple {
 
-/// One set of particles with both solvers on it: what each of them sees of the other. Index p is the same material point
-/// in both.
+/// One set of particles with both solvers on it: what each of them sees of the other. Index p is the same material
+/// point in both.
 class Mixture {
  public:
   Mixture(const Case& input, const InitialParticles& particles, std::span<const double> pressure, int threads);

@@ -14,8 +14,8 @@ struct Actions {
   seepage::Boundary water;
 };
 
-/// The default scheme: one loop, one clock, the soil explicit, the water implicit, and the volume change that links them
-/// inside the pressure step, so that stiff water is stable at the soil's own time step.
+/// The default scheme: one loop, one clock, the soil explicit, the water implicit, and the volume change that links
+/// them inside the pressure step, so that stiff water is stable at the soil's own time step.
 class SemiImplicitScheme {
  public:
   explicit SemiImplicitScheme(double pressure_tolerance) : pressure_tolerance_(pressure_tolerance) {}

@@ -19,14 +19,15 @@ namespace slope::couple {
 namespace {
 
 constexpr std::array displacement_marks{0.01, 0.02, 0.05, 0.10, 0.30, 1.00};  // m
-constexpr double zone_mark = 0.10;    // m: displacement at which the failure zone is reported for comparison
-constexpr int steps_per_call = 200;   // after which advance() returns even if nothing is due
-constexpr double sliver = 1.0e-6;     // share of a step by which two times may differ and be the same
+constexpr double zone_mark = 0.10;   // m: displacement at which the failure zone is reported for comparison
+constexpr int steps_per_call = 200;  // after which advance() returns even if nothing is due
+constexpr double sliver = 1.0e-6;    // share of a step by which two times may differ and be the same
 
 InitialParticles fill(const Case& input) {
   InitialParticles particles = fill_regions(input.domain, input.regions);
   if (particles.x.empty()) {
-    throw InputError({{input.path, 0, "geometry", "no particle lies inside the polygons; make them larger than a cell"}});
+    throw InputError(
+        {{input.path, 0, "geometry", "no particle lies inside the polygons; make them larger than a cell"}});
   }
   return particles;
 }
@@ -90,8 +91,8 @@ struct Simulation::State {
   void check_end();
   void measure_pressure() {
     result.pressure_checkerboard =
-        std::max(result.pressure_checkerboard, pressure_checkerboard(mixture.water.head_operator(),
-                                                                     mixture.skeleton(), mixture.water.pressure()));
+        std::max(result.pressure_checkerboard,
+                 pressure_checkerboard(mixture.water.head_operator(), mixture.skeleton(), mixture.water.pressure()));
   }
   [[nodiscard]] double history_time(std::size_t row) const {
     return static_cast<double>(row) * input.output.history_interval;
@@ -224,7 +225,8 @@ void Simulation::initialise() {
   std::vector<double> wx(n), wy(n);
   s.mixture.water.darcy_velocity(s.mixture.skeleton(), wx, wy);
   for (std::size_t p = 0; p < n; ++p) {
-    const double saturated = s.input.soils[static_cast<std::size_t>(s.particles.soil[p])].seepage.hydraulic_conductivity;
+    const double saturated =
+        s.input.soils[static_cast<std::size_t>(s.particles.soil[p])].seepage.hydraulic_conductivity;
     s.result.initial_head_flux = std::max(s.result.initial_head_flux, std::hypot(wx[p], wy[p]) / saturated);
   }
   s.measure_pressure();
@@ -263,7 +265,9 @@ Event Simulation::advance() {
   return event;
 }
 
-const Case& Simulation::input() const { return state_->input; }
+const Case& Simulation::input() const {
+  return state_->input;
+}
 
 Progress Simulation::progress() const {
   const State& s = *state_;
@@ -303,14 +307,9 @@ ParticleTable Simulation::particles() const {
 }
 
 std::vector<HistoryColumn> Simulation::history_columns() const {
-  std::vector<HistoryColumn> columns{{"time", "s"},
-                                     {"clock factor", "-"},
-                                     {"largest displacement", "m"},
-                                     {"kinetic ratio", "-"},
-                                     {"unbalanced ratio", "-"},
-                                     {"water in", "m3/m"},
-                                     {"water out", "m3/m"},
-                                     {"water stored", "m3/m"}};
+  std::vector<HistoryColumn> columns{{"time", "s"},          {"clock factor", "-"},     {"largest displacement", "m"},
+                                     {"kinetic ratio", "-"}, {"unbalanced ratio", "-"}, {"water in", "m3/m"},
+                                     {"water out", "m3/m"},  {"water stored", "m3/m"}};
   for (const VerificationPoint& point : state_->input.points) {
     columns.push_back({point.name + " displacement", "m"});
     columns.push_back({point.name + " suction", "Pa"});

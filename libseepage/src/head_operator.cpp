@@ -59,6 +59,7 @@ void HeadOperator::find_pair_factors(const Skeleton& skeleton) {
 }
 
 void HeadOperator::set_conductivity(std::span<const double> conductivity) {
+  constexpr double sixth = 1.0 / 6.0;
   for (std::size_t p = 0; p < diagonal_.size(); ++p) root_conductivity_[p] = std::sqrt(conductivity[p]);
 #pragma omp parallel for schedule(static) num_threads(threads_) if (threads_ > 1)
   for (std::size_t p = 0; p < diagonal_.size(); ++p) {
@@ -66,7 +67,7 @@ void HeadOperator::set_conductivity(std::span<const double> conductivity) {
     for (std::size_t s = neighbours_.start[p]; s < neighbours_.start[p + 1]; ++s) {
       const std::size_t q = neighbours_.index[s];
       const double middle = root_conductivity_[p] * root_conductivity_[q];
-      conductance_[s] = factor_[s] * (conductivity[p] + 4.0 * middle + conductivity[q]) / 6.0;
+      conductance_[s] = sixth * factor_[s] * (conductivity[p] + 4.0 * middle + conductivity[q]);
       sum += conductance_[s];
     }
     diagonal_[p] = sum;

@@ -57,6 +57,8 @@ ExitCode execute(const CLI::App& app, const slope::tools::RunOptions& options) {
     return fail(error, ExitCode::bad_input);
   } catch (const slope::couple::FileError& error) {
     return fail(error, ExitCode::input_output);
+  } catch (const std::exception& error) {
+    return fail(error, ExitCode::fault);
   }
 }
 
@@ -66,9 +68,9 @@ int main(int argc, char** argv) {
   CLI::App app("Rain-induced slope failure: soil as material points, pore water as smoothed particles.", "slope-sim");
   app.set_version_flag("--version", std::string("slope-sim ") + SLOPE_VERSION);
   app.footer(
-      "Exit codes: 0 fine, 2 bad arguments or case, 3 the physics broke, 4 a file cannot be read or written, 130 "
-      "interrupted;\n"
-      "after 3, 4 and 130 what was computed until then is in the output folder.");
+      "Exit codes: 0 fine, 1 a fault of the program, 2 bad arguments or case, 3 the physics broke,\n"
+      "4 a file cannot be read or written, 130 interrupted. Whatever ends a run, what was computed until then is in\n"
+      "the output folder.");
   app.require_subcommand(1);
 
   slope::tools::RunOptions options;

@@ -7,7 +7,7 @@
 namespace slope::tools {
 
 /// How the program ends.
-enum class ExitCode { fine = 0, bad_input = 2, broken_physics = 3, input_output = 4, interrupted = 130 };
+enum class ExitCode { fine = 0, fault = 1, bad_input = 2, broken_physics = 3, input_output = 4, interrupted = 130 };
 
 struct RunOptions {
   std::filesystem::path case_file;

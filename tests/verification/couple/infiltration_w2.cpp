@@ -14,9 +14,8 @@ namespace {
 
 double worst_error(const std::string& skeleton, const std::string& suffix, const std::string& times,
                    const std::string& end) {
-  couple::Simulation simulation =
-      start_case("infiltration_w2.yaml",
-                 {"coupling.skeleton=" + skeleton, "output.snapshots=" + times, "stop.time=" + end});
+  couple::Simulation simulation = start_case(
+      "infiltration_w2.yaml", {"coupling.skeleton=" + skeleton, "output.snapshots=" + times, "stop.time=" + end});
   const Table profiles = reference("infiltration_w2/infiltration_profiles_W2_D5.csv");
   double worst = 0.0;
   run(simulation, [&](const couple::ParticleTable& now) {

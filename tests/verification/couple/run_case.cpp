@@ -32,6 +32,8 @@ void run(couple::Simulation& simulation, const std::function<void(const couple::
   }
 }
 
-std::string time_text(double time) { return std::to_string(std::lround(time)); }
+std::string time_text(double time) {
+  return std::to_string(std::lround(time));
+}
 
 }  // namespace slope::testing

@@ -1,5 +1,5 @@
-// The slope of the paper under rain (case W2): it stands before the rain, fails from the toe upwards, and the figures that
-// must not depend on how fast the clock runs do not.
+// The slope of the paper under rain (case W2): it stands before the rain, fails from the toe upwards, and the figures
+// that must not depend on how fast the clock runs do not.
 
 #include <gtest/gtest.h>
 
@@ -26,8 +26,8 @@ double onset(const std::vector<std::string>& overrides) {
 TEST(SlopeW2, StandsBeforeTheRain) {
   couple::Simulation simulation = start_shipped_case(
       "slope-w2.yaml", {"water_boundaries.rain.start=11 s", "stop.time=10 s", "clock.adaptive=false"});
-  EXPECT_TRUE(record("slope-w2-1", "Slope W2 before the rain: largest flux of the head operator over k", at_most(1.0e-9),
-                     simulation.summary().initial_head_flux, ""));
+  EXPECT_TRUE(record("slope-w2-1", "Slope W2 before the rain: largest flux of the head operator over k",
+                     at_most(1.0e-9), simulation.summary().initial_head_flux, ""));
   const couple::Summary still = run_to_end(std::move(simulation));
   EXPECT_TRUE(record("slope-w2-2", "- largest displacement in 10 s of dynamics", at_most(0.1),
                      still.largest_displacement * 1000.0, "mm"));
@@ -42,8 +42,8 @@ TEST(SlopeW2, FailsFromTheToeUpwards) {
   EXPECT_LT(summary.zone_at_onset->lowest, 5.5);
   EXPECT_LT(summary.zone_at_onset->highest, 9.0);
   EXPECT_GT(summary.zone_at_end.highest, summary.zone_at_onset->highest + 1.0);
-  EXPECT_TRUE(record("slope-w2-3", "Slope W2 through the slide: water budget error over the infiltration", at_most(1.0e-4),
-                     std::abs(summary.water.error), ""));
+  EXPECT_TRUE(record("slope-w2-3", "Slope W2 through the slide: water budget error over the infiltration",
+                     at_most(1.0e-4), std::abs(summary.water.error), ""));
   EXPECT_TRUE(record("slope-w2-4", "- alternating part of the pore pressure (checkerboard measure)", at_most(0.01),
                      summary.pressure_checkerboard, ""));
   const couple::ParticleTable end = simulation.particles();

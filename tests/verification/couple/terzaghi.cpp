@@ -14,9 +14,9 @@
 namespace slope::testing {
 namespace {
 
-constexpr double height = 1.0;      // m
-constexpr double load = 10.0e3;     // Pa
-constexpr double drain_start = 1.0;  // s
+constexpr double height = 1.0;          // m
+constexpr double load = 10.0e3;         // Pa
+constexpr double drain_start = 1.0;     // s
 constexpr double unit_weight = 9810.0;  // N/m3
 const std::vector<double> time_factors{0.05, 0.1, 0.2, 0.3, 0.5, 0.7, 1.0};
 
@@ -83,9 +83,8 @@ Figures run_terzaghi(const std::string& cell_size, const std::string& width) {
     const double final_settlement = start * height / modulus;
     for (std::size_t p = 0; p < settlement.size(); ++p) {
       const double share = (settlement[p] - first_settlement[p]) / final_settlement;
-      figures.settlement =
-          std::max(figures.settlement, std::abs(share - settlement_share(pressure.x[p], *listed)) /
-                                           settlement_share(0.0, *listed));
+      figures.settlement = std::max(figures.settlement, std::abs(share - settlement_share(pressure.x[p], *listed)) /
+                                                            settlement_share(0.0, *listed));
     }
   });
   return figures;

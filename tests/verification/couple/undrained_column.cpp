@@ -1,4 +1,5 @@
-// A saturated, closed column that is let go under its own weight vibrates; nothing but the scheme's own dissipation damps it.
+// A saturated, closed column that is let go under its own weight vibrates; nothing but the scheme's own dissipation
+// damps it.
 
 #include <gtest/gtest.h>
 

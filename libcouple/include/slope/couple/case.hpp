@@ -19,9 +19,9 @@ inline constexpr double never = std::numeric_limits<double>::infinity();
 
 /// The background grid. Its sides are the walls; the top is open.
 struct Domain {
-  Point lower{0.0, 0.0};  ///< lower left corner (m)
-  Point upper{0.0, 0.0};  ///< upper right corner (m); each side a whole number of cells
-  double cell_size = 0.0; ///< (m), > 0
+  Point lower{0.0, 0.0};       ///< lower left corner (m)
+  Point upper{0.0, 0.0};       ///< upper right corner (m); each side a whole number of cells
+  double cell_size = 0.0;      ///< (m), > 0
   int particles_per_cell = 4;  ///< 1, 4, 9 or 16: a square lattice in each cell
 };
 
@@ -49,8 +49,8 @@ struct Region {
 
 /// Hydrostatic pressure below and suction above a level water table.
 struct HydrostaticWater {
-  double water_table = 0.0;               ///< y of P_w = 0 (m)
-  double maximum_suction = never;         ///< cap of the suction (Pa), >= 0
+  double water_table = 0.0;        ///< y of P_w = 0 (m)
+  double maximum_suction = never;  ///< cap of the suction (Pa), >= 0
 };
 /// The same pore pressure everywhere (Pa, positive in compression).
 struct UniformWater {
@@ -75,9 +75,9 @@ struct PlaceRange {
 
 /// A pressure (or head) that is prescribed on particles.
 struct PrescribedPressure {
-  double pressure = 0.0;              ///< P_w at the particle or face (Pa)
-  std::optional<double> total_head;   ///< if given, h = P_w/gamma_w + y (m) is prescribed instead
-  bool at_face = false;               ///< true: at the face half a spacing outside the particle
+  double pressure = 0.0;             ///< P_w at the particle or face (Pa)
+  std::optional<double> total_head;  ///< if given, h = P_w/gamma_w + y (m) is prescribed instead
+  bool at_face = false;              ///< true: at the face half a spacing outside the particle
 };
 /// A flux into the soil per area of the particles' face (m/s), positive inwards.
 struct PrescribedFlux {
@@ -88,8 +88,8 @@ struct WaterBoundary {
   std::string name;
   PlaceRange where;
   std::variant<PrescribedPressure, PrescribedFlux> condition;
-  double start = 0.0;  ///< time from which it holds (s)
-  double ramp = 0.0;   ///< time over which it goes linearly from what is there to the prescribed value (s)
+  double start = 0.0;    ///< time from which it holds (s)
+  double ramp = 0.0;     ///< time over which it goes linearly from what is there to the prescribed value (s)
   bool initial = false;  ///< holds in the steady state before the start too
 };
 
@@ -116,17 +116,19 @@ struct Numerics {
 
 /// How much faster than the solid's own clock physical time may run.
 struct Clock {
-  bool adaptive = true;             ///< false: real time throughout
-  double inertia_limit = 0.004;     ///< largest inertial stress rho c v over overburden, and pressure change per control block over overburden (-), > 0
-  double change_fraction = 0.5;     ///< largest clock factor x first period over the time since the last change of boundary conditions (-), > 0
-  double maximum_factor = 1000.0;   ///< (-), >= 1
+  bool adaptive = true;          ///< false: real time throughout
+  double inertia_limit = 0.004;  ///< largest inertial stress rho c v over overburden, and pressure change per control
+                                 ///< block over overburden (-), > 0
+  double change_fraction =
+      0.5;  ///< largest clock factor x first period over the time since the last change of boundary conditions (-), > 0
+  double maximum_factor = 1000.0;  ///< (-), >= 1
 };
 
 /// When the run ends; the first that is met.
 struct Stop {
-  double time = 0.0;             ///< (s), > 0
-  double displacement = never;   ///< largest displacement (m)
-  double after_onset = never;    ///< time after the onset of failure (s)
+  double time = 0.0;            ///< (s), > 0
+  double displacement = never;  ///< largest displacement (m)
+  double after_onset = never;   ///< time after the onset of failure (s)
 };
 
 /// A point of the initial geometry whose nearest particle is followed.
@@ -136,21 +138,22 @@ struct VerificationPoint {
 };
 
 struct Output {
-  std::vector<double> snapshots;        ///< times of the particle files (s); start, onset and end are always written
-  double snapshot_interval = never;     ///< (s)
-  double history_interval = 1.0;        ///< (s), > 0
+  std::vector<double> snapshots;     ///< times of the particle files (s); start, onset and end are always written
+  double snapshot_interval = never;  ///< (s)
+  double history_interval = 1.0;     ///< (s), > 0
 };
 
 /// What slope-render draws beside the standard pictures.
 struct Figures {
   std::vector<double> profile_times;  ///< times of suction-against-height profiles (s); empty: no profile figure
-  std::string profile_reference;      ///< CSV with columns z_m and suction_head_m_t<time>; path relative to the case; may be empty
+  std::string
+      profile_reference;  ///< CSV with columns z_m and suction_head_m_t<time>; path relative to the case; may be empty
   std::vector<double> contour_times;  ///< times of contour pictures (s); empty: start, onset and end
 };
 
 /// Everything that a run needs, in SI units. Built from YAML by read_case().
 struct Case {
-  std::string path;   ///< file it was read from
+  std::string path;  ///< file it was read from
   std::string title;
   double gravity = 9.81;  ///< (m/s2), > 0
   Domain domain;
@@ -166,8 +169,8 @@ struct Case {
   MixtureDensity mixture_density = MixtureDensity::by_saturation;
   Numerics numerics;
   Clock clock;
-  double onset_displacement = 0.02;          ///< (m), > 0
-  double failure_zone_strain = 0.02;         ///< deviatoric strain threshold (-), > 0
+  double onset_displacement = 0.02;   ///< (m), > 0
+  double failure_zone_strain = 0.02;  ///< deviatoric strain threshold (-), > 0
   Stop stop;
   std::vector<VerificationPoint> points;
   Output output;

@@ -9,10 +9,10 @@ namespace slope::couple {
 
 /// Particles of a case before the first step, in the order of their ids (by grid cell, row by row from below).
 struct InitialParticles {
-  std::vector<double> x, y;      ///< positions (m)
-  std::vector<double> volume;    ///< per metre of thickness (m2)
-  std::vector<int> soil;         ///< index into Case::soils
-  double spacing = 0.0;          ///< lattice spacing (m)
+  std::vector<double> x, y;    ///< positions (m)
+  std::vector<double> volume;  ///< per metre of thickness (m2)
+  std::vector<int> soil;       ///< index into Case::soils
+  double spacing = 0.0;        ///< lattice spacing (m)
 };
 
 /// Fills the regions with a square lattice of particles: those lattice points that lie inside a polygon.

@@ -12,7 +12,7 @@ namespace slope::couple {
 /// One thing wrong with the input: where, what, and what would be right.
 struct Problem {
   std::string file;
-  int line = 0;  ///< 1-based; 0: not tied to a line
+  int line = 0;     ///< 1-based; 0: not tied to a line
   std::string key;  ///< dotted path, e.g. "soils.sandy_clay.porosity"; may be empty
   std::string message;
 

@@ -26,20 +26,20 @@ struct PlaneTensor {
 /// The state of all particles at one time, in the order of their ids, SI units, tension positive,
 /// pore pressure positive in compression.
 struct ParticleTable {
-  double time = 0.0;                         ///< since the start of the rain (s)
-  std::vector<Point> position;               ///< (m)
-  std::vector<Point> displacement;           ///< (m)
-  std::vector<Point> velocity;               ///< of the skeleton, in physical time (m/s)
-  std::vector<Point> darcy_velocity;         ///< w of Eq. 4 (m/s)
-  std::vector<PlaneTensor> stress_effective; ///< (Pa)
-  std::vector<PlaneTensor> strain;           ///< accumulated (-)
-  std::vector<double> deviatoric_strain;     ///< eps_q = sqrt(2/3 e:e) (-)
-  std::vector<double> pore_pressure;         ///< P_w (Pa)
-  std::vector<double> suction;               ///< s = -P_w (Pa)
-  std::vector<double> saturation;            ///< S_r (-)
-  std::vector<double> porosity;              ///< n (-)
-  std::vector<double> volume;                ///< per metre of thickness (m2)
-  std::vector<int> soil;                     ///< index into Case::soils
+  double time = 0.0;                          ///< since the start of the rain (s)
+  std::vector<Point> position;                ///< (m)
+  std::vector<Point> displacement;            ///< (m)
+  std::vector<Point> velocity;                ///< of the skeleton, in physical time (m/s)
+  std::vector<Point> darcy_velocity;          ///< w of Eq. 4 (m/s)
+  std::vector<PlaneTensor> stress_effective;  ///< (Pa)
+  std::vector<PlaneTensor> strain;            ///< accumulated (-)
+  std::vector<double> deviatoric_strain;      ///< eps_q = sqrt(2/3 e:e) (-)
+  std::vector<double> pore_pressure;          ///< P_w (Pa)
+  std::vector<double> suction;                ///< s = -P_w (Pa)
+  std::vector<double> saturation;             ///< S_r (-)
+  std::vector<double> porosity;               ///< n (-)
+  std::vector<double> volume;                 ///< per metre of thickness (m2)
+  std::vector<int> soil;                      ///< index into Case::soils
 };
 
 /// What a progress line shows.
@@ -59,46 +59,46 @@ struct HistoryColumn {
 
 /// The particles whose deviatoric strain exceeds the case's threshold.
 struct FailureZone {
-  double length = 0.0;        ///< horizontal extent (m)
-  double height = 0.0;        ///< vertical extent (m)
-  double depth = 0.0;         ///< largest depth, normal to the ground surface at the start (m)
-  double area = 0.0;          ///< (m2)
-  double lowest = 0.0;        ///< y of its lowest point (m)
-  double highest = 0.0;       ///< y of its highest point (m)
-  double run_out = 0.0;       ///< how far the slide's front went, horizontally: the foremost failed particle that
-                              ///< moved by more than the onset displacement (m)
+  double length = 0.0;           ///< horizontal extent (m)
+  double height = 0.0;           ///< vertical extent (m)
+  double depth = 0.0;            ///< largest depth, normal to the ground surface at the start (m)
+  double area = 0.0;             ///< (m2)
+  double lowest = 0.0;           ///< y of its lowest point (m)
+  double highest = 0.0;          ///< y of its highest point (m)
+  double run_out = 0.0;          ///< how far the slide's front went, horizontally: the foremost failed particle that
+                                 ///< moved by more than the onset displacement (m)
   double largest_suction = 0.0;  ///< left anywhere in the slope (Pa)
 };
 
 /// Water that has crossed the boundary and been stored since the start, per metre of thickness (m3/m).
 struct WaterBudget {
-  double infiltration = 0.0;  ///< in through prescribed boundaries
-  double outflow = 0.0;       ///< out through prescribed boundaries
-  double storage = 0.0;       ///< change of what the pores hold
-  double error = 0.0;         ///< (infiltration - outflow - storage) / max(infiltration, outflow) (-)
+  double infiltration = 0.0;                  ///< in through prescribed boundaries
+  double outflow = 0.0;                       ///< out through prescribed boundaries
+  double storage = 0.0;                       ///< change of what the pores hold
+  double error = 0.0;                         ///< (infiltration - outflow - storage) / max(infiltration, outflow) (-)
   std::map<std::string, double> by_boundary;  ///< net inflow of each named boundary (m3/m)
 };
 
 /// When the largest displacement passed a value.
 struct DisplacementTime {
-  double displacement = 0.0;    ///< (m)
-  std::optional<double> time;   ///< (s); none: it did not
+  double displacement = 0.0;   ///< (m)
+  std::optional<double> time;  ///< (s); none: it did not
 };
 
 struct Summary {
-  std::string end_reason;               ///< "time", "displacement", "after_onset", or "running"
-  double time = 0.0;                    ///< simulated (s)
-  double onset_criterion = 0.0;         ///< displacement that counts as failure (m)
-  std::optional<double> onset_time;     ///< (s); none: the slope stood
-  Point onset_position{0.0, 0.0};       ///< where the largest displacement was at onset (m)
+  std::string end_reason;                            ///< "time", "displacement", "after_onset", or "running"
+  double time = 0.0;                                 ///< simulated (s)
+  double onset_criterion = 0.0;                      ///< displacement that counts as failure (m)
+  std::optional<double> onset_time;                  ///< (s); none: the slope stood
+  Point onset_position{0.0, 0.0};                    ///< where the largest displacement was at onset (m)
   std::vector<DisplacementTime> displacement_times;  ///< 1, 2, 5, 10, 30 and 100 cm
   std::optional<FailureZone> zone_at_onset;          ///< at the onset
   std::optional<FailureZone> zone_at_10_cm;          ///< at a largest displacement of 10 cm
   FailureZone zone_at_end;
   WaterBudget water;
-  double largest_displacement = 0.0;    ///< (m)
-  double pressure_checkerboard = 0.0;   ///< largest over the run, of the measure defined in README (-)
-  double initial_head_flux = 0.0;       ///< largest Darcy flux of the head operator before the rain, over k (-)
+  double largest_displacement = 0.0;      ///< (m)
+  double pressure_checkerboard = 0.0;     ///< largest over the run, of the measure defined in README (-)
+  double initial_head_flux = 0.0;         ///< largest Darcy flux of the head operator before the rain, over k (-)
   double initial_unbalanced_ratio = 0.0;  ///< unbalanced over gravity forces left by the initial state (-)
   std::size_t particles = 0;
   std::size_t steps = 0;

@@ -42,14 +42,17 @@ SolveReport PoreFlow::solve(double time_step, const Skeleton& skeleton, std::spa
     }
   };
   if (!boundary.held.empty()) {
-    std::fill(is_held_.begin(), is_held_.end(), std::uint8_t{0});
     std::fill(stress_change_.begin(), stress_change_.end(), 0.0);
+    bool any_change = false;
     for (const HeldPressure& held : boundary.held) {
-      is_held_[held.particle] = 1;
       stress_change_[held.particle] = held.pressure - pressure_[held.particle];
+      any_change = any_change || stress_change_[held.particle] != 0.0;
     }
-    full(stress_change_, outflow_);
-    for (std::size_t p = 0; p < n; ++p) right_side_[p] = is_held_[p] != 0 ? 0.0 : right_side_[p] - outflow_[p];
+    if (any_change) {
+      full(stress_change_, outflow_);
+      for (std::size_t p = 0; p < n; ++p) right_side_[p] -= outflow_[p];
+    }
+    for (const HeldPressure& held : boundary.held) right_side_[held.particle] = 0.0;
   }
   const auto reduced = [&](std::span<const double> in, std::span<double> out) {
     full(in, out);
