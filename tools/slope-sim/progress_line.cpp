@@ -20,14 +20,14 @@ std::string duration_text(double seconds) {
 
 }  // namespace
 
-std::string progress_text(const couple::Progress& progress, double end_time, double wall_seconds) {
+std::string progress_text(const couple::Progress& progress, double end_time, double stepping_seconds) {
   const double millimetres = 1000.0 * progress.largest_displacement;
   std::string text = fmt::format("{:.4g} s of {:g} s  {:3.0f} %  clock x{:.3g}  displacement {}", progress.time,
                                  end_time, 100.0 * progress.share, progress.clock_factor,
                                  millimetres < 100.0 ? fmt::format("{:.2g} mm", millimetres)
                                                      : fmt::format("{:.3g} m", progress.largest_displacement));
   if (progress.share > 0.01 && progress.share < 1.0) {
-    text += fmt::format("  {} left", duration_text(wall_seconds * (1.0 - progress.share) / progress.share));
+    text += fmt::format("  {} left", duration_text(stepping_seconds * (1.0 - progress.share) / progress.share));
   }
   return text;
 }
@@ -41,10 +41,10 @@ ProgressLine::~ProgressLine() {
 
 void ProgressLine::show(const couple::Progress& progress) {
   if (quiet_) return;
-  const std::string text = progress_text(progress, end_time_, elapsed());
+  const std::string line = text(progress);
   if (terminal_) {
     if (line_open_ && elapsed() - last_shown_ < seconds_between_updates) return;
-    std::fprintf(stderr, "\r%s\x1b[K", text.c_str());
+    std::fprintf(stderr, "\r%s\x1b[K", line.c_str());
     std::fflush(stderr);
     line_open_ = true;
     last_shown_ = elapsed();
@@ -53,7 +53,11 @@ void ProgressLine::show(const couple::Progress& progress) {
   const int tenths = static_cast<int>(10.0 * progress.share);
   if (tenths <= tenths_shown_) return;
   tenths_shown_ = tenths;
-  std::fprintf(stderr, "%s\n", text.c_str());
+  std::fprintf(stderr, "%s\n", line.c_str());
+}
+
+std::string ProgressLine::text(const couple::Progress& progress) const {
+  return progress_text(progress, end_time_, elapsed() - steps_began_);
 }
 
 void ProgressLine::say(const std::string& line) {

@@ -8,7 +8,8 @@
 namespace slope::tools {
 
 /// "412 s of 2400 s   17 %   clock x12.4   displacement 1.2 mm   2:31 left"
-[[nodiscard]] std::string progress_text(const couple::Progress& progress, double end_time, double wall_seconds);
+/// @param stepping_seconds  wall time that the steps so far have taken
+[[nodiscard]] std::string progress_text(const couple::Progress& progress, double end_time, double stepping_seconds);
 
 /// Shows how far a run is: on a terminal one line that is written over, elsewhere a line per tenth of the run.
 class ProgressLine {
@@ -19,7 +20,10 @@ class ProgressLine {
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
+  /// The initial state is done: the time left is judged by what comes from now on.
+  void begin_steps() { steps_began_ = elapsed(); }
   void show(const couple::Progress& progress);
+  [[nodiscard]] std::string text(const couple::Progress& progress) const;
   /// A line that stays.
   void say(const std::string& line);
   /// Wall time since the start (s).
@@ -33,6 +37,7 @@ class ProgressLine {
   bool quiet_;
   bool terminal_;
   bool line_open_ = false;
+  double steps_began_ = 0.0;
   double last_shown_ = 0.0;
   int tenths_shown_ = 0;
 };

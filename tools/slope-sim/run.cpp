@@ -58,6 +58,7 @@ class Run {
     write_summary();
     progress_.say("initial state");
     simulation_.initialise();
+    progress_.begin_steps();
     writer_.log(
         fmt::format("{:.1f} s: initial state of {} particles", progress_.elapsed(), simulation_.summary().particles));
     writer_.begin_history(simulation_.history_columns());
@@ -78,7 +79,7 @@ class Run {
     if (event.label == "onset") note_onset();
     if (event.snapshot) {
       writer_.add_snapshot(simulation_.particles(), event.label);
-      writer_.log(progress_text(progress, simulation_.input().stop.time, progress_.elapsed()));
+      writer_.log(progress_.text(progress));
     }
     progress_.show(progress);
     return event.finished;

@@ -119,8 +119,8 @@ struct Clock {
   bool adaptive = true;          ///< false: real time throughout
   double inertia_limit = 0.004;  ///< largest inertial stress rho c v over overburden, and pressure change per control
                                  ///< block over overburden (-), > 0
-  double change_fraction =
-      0.5;  ///< largest clock factor x first period over the time since the last change of boundary conditions (-), > 0
+  double change_fraction = 0.5;  ///< largest clock factor x first period over the time since the boundary conditions
+                                 ///< changed (-), > 0
   double maximum_factor = 1000.0;  ///< (-), >= 1
 };
 
@@ -138,7 +138,8 @@ struct VerificationPoint {
 };
 
 struct Output {
-  std::vector<double> snapshots;     ///< times of the particle files (s); start, onset and end are always written
+  std::vector<double> snapshots;     ///< times of the particle files (s), those of the figures among them; start,
+                                     ///< onset and end are always written
   double snapshot_interval = never;  ///< (s)
   double history_interval = 1.0;     ///< (s), > 0
 };
@@ -146,8 +147,8 @@ struct Output {
 /// What slope-render draws beside the standard pictures.
 struct Figures {
   std::vector<double> profile_times;  ///< times of suction-against-height profiles (s); empty: no profile figure
-  std::string
-      profile_reference;  ///< CSV with columns z_m and suction_head_m_t<time>; path relative to the case; may be empty
+  std::string profile_reference;      ///< CSV with columns z_m and suction_head_m_t<time>; path relative to the case;
+                                      ///< may be empty
   std::vector<double> contour_times;  ///< times of contour pictures (s); empty: start, onset and end
 };
 
