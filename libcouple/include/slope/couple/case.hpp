@@ -116,11 +116,11 @@ struct Numerics {
 
 /// How much faster than the solid's own clock physical time may run.
 struct Clock {
-  bool adaptive = true;          ///< false: real time throughout
-  double inertia_limit = 0.004;  ///< largest inertial stress rho c v over overburden, and pressure change per control
-                                 ///< block over overburden (-), > 0
-  double change_fraction = 0.5;  ///< largest clock factor x first period over the time since the boundary conditions
-                                 ///< changed (-), > 0
+  bool adaptive = true;            ///< false: real time throughout
+  double inertia_limit = 0.004;    ///< largest inertial stress rho c v over overburden, and pressure change per control
+                                   ///< block over overburden (-), > 0
+  double change_fraction = 0.5;    ///< largest clock factor x first period over the time since the boundary conditions
+                                   ///< changed (-), > 0
   double maximum_factor = 1000.0;  ///< (-), >= 1
 };
 
