@@ -7,9 +7,10 @@ namespace slope::couple {
 
 namespace {
 
-constexpr int block_steps = 20;    // between two judgements of the factor
-constexpr double growth = 1.15;    // of the factor in a quiet block
-constexpr double shrinkage = 0.7;  // of the factor in a lively one
+// In the soil's own time; T is the first period of the layer.
+constexpr double block_share = 0.05;  // T between two judgements of the factor
+constexpr double growth_time = 3.0;   // T in which the factor grows by e at most: a slide needs time to follow
+constexpr double shrinkage = 0.7;     // of the factor after a lively block
 
 }  // namespace
 
@@ -46,14 +47,13 @@ void ClockControl::observe(double time_step, std::span<const double> ux, std::sp
     uy_.assign(uy.begin(), uy.end());
     pressure_.assign(pressure.begin(), pressure.end());
     block_time_ = 0.0;
-    steps_ = 0;
   };
   if (ux_.empty()) {
     begin_block();
     return;
   }
   block_time_ += time_step;
-  if (++steps_ < block_steps) return;
+  if (block_time_ < block_share * scale_.period()) return;
   double farthest = 0.0, pressure_change = 0.0;
   for (std::size_t p = 0; p < ux.size(); ++p) {
     const double dx = ux[p] - ux_[p], dy = uy[p] - uy_[p];
@@ -66,7 +66,7 @@ void ClockControl::observe(double time_step, std::span<const double> ux, std::sp
   if (inertia > limits_.inertia_limit || pressure_ratio > 2.0 * limits_.inertia_limit) {
     factor_ *= shrinkage;
   } else if (inertia < 0.5 * limits_.inertia_limit && pressure_ratio < limits_.inertia_limit) {
-    factor_ *= growth;
+    factor_ *= std::exp(block_time_ / (growth_time * scale_.period()));
   }
   factor_ = std::clamp(factor_, 1.0, limits_.maximum_factor);
   begin_block();

@@ -33,11 +33,9 @@ class ClockControl {
   /// to the soil's own time; where the factor falls they fall with it, so that what creeps does not gain speed in
   /// physical time.
   Pace pace(double time, double next, double time_step);
-  /// Takes note of a step done; every block of steps the factor is judged anew.
+  /// Takes note of a step done; twenty times in the first period the factor is judged anew.
   void observe(double time_step, std::span<const double> ux, std::span<const double> uy,
                std::span<const double> pressure);
-  /// Mass-proportional damping (1/s): one over the first period while time runs faster than real, else none.
-  [[nodiscard]] double damping(double factor) const { return factor > 1.0 ? 1.0 / scale_.period() : 0.0; }
   /// The time of the next change of the boundary conditions after `time` (s).
   [[nodiscard]] double next_change(double time) const;
 
@@ -47,7 +45,6 @@ class ClockControl {
   std::vector<double> change_times_;
   double factor_ = 1.0;
   double last_factor_ = 1.0;  // of the latest step, before it was fitted to what is due
-  int steps_ = 0;
   double block_time_ = 0.0;
   std::vector<double> ux_, uy_, pressure_;  // at the start of the block
 };

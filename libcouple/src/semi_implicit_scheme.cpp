@@ -5,7 +5,7 @@
 namespace slope::couple {
 
 seepage::SolveReport SemiImplicitScheme::step(Mixture& mixture, const Actions& actions, double time_step,
-                                              double clock_factor, double damping) {
+                                              double clock_factor) {
   solid::MaterialPointMethod& soil = mixture.soil;
   seepage::PoreFlow& water = mixture.water;
   const double water_step = clock_factor * time_step;
@@ -13,7 +13,7 @@ seepage::SolveReport SemiImplicitScheme::step(Mixture& mixture, const Actions& a
   strain_.assign(soil.particles().size(), 0.0);
 
   // Predict: the soil's motion with the old pore pressure (Eq. 17), and the volume change that it brings.
-  soil.predict(time_step, mixture.pore_state(), actions.tractions, damping);
+  soil.predict(time_step, mixture.pore_state(), actions.tractions, 0.0);
 
   // Respond: the pressure for which flow, storage and volume change balance (Eqs. 4-7), the soil yielding to it.
   water.follow(mixture.skeleton());

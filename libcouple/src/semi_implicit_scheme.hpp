@@ -22,9 +22,7 @@ class SemiImplicitScheme {
 
   /// One step.
   /// @param time_step  dt of the soil (s); @param clock_factor  Theta: the water's time advances by Theta dt
-  /// @param damping  mass-proportional (1/s)
-  seepage::SolveReport step(Mixture& mixture, const Actions& actions, double time_step, double clock_factor,
-                            double damping);
+  seepage::SolveReport step(Mixture& mixture, const Actions& actions, double time_step, double clock_factor);
 
  private:
   double pressure_tolerance_;

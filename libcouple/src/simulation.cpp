@@ -149,7 +149,7 @@ void Simulation::State::step() {
   // the last step up to what is due ends there to the last digit
   const double after = time + (1.0 + sliver) * water_step > next ? next : time + water_step;
   conditions.apply(after, mixture, actions);
-  const auto report = scheme.step(mixture, actions, time_step, clock_factor, clock.damping(clock_factor));
+  const auto report = scheme.step(mixture, actions, time_step, clock_factor);
   time = after;
   ++steps;
   pressure_iterations += static_cast<std::size_t>(report.iterations);

@@ -63,11 +63,11 @@ void HeadOperator::set_conductivity(std::span<const double> conductivity) {
   for (std::size_t p = 0; p < diagonal_.size(); ++p) root_conductivity_[p] = std::sqrt(conductivity[p]);
 #pragma omp parallel for schedule(static) num_threads(threads_) if (threads_ > 1)
   for (std::size_t p = 0; p < diagonal_.size(); ++p) {
+    const double here = conductivity[p], root = root_conductivity_[p];
     double sum = 0.0;
     for (std::size_t s = neighbours_.start[p]; s < neighbours_.start[p + 1]; ++s) {
       const std::size_t q = neighbours_.index[s];
-      const double middle = root_conductivity_[p] * root_conductivity_[q];
-      conductance_[s] = sixth * factor_[s] * (conductivity[p] + 4.0 * middle + conductivity[q]);
+      conductance_[s] = sixth * factor_[s] * (here + 4.0 * root * root_conductivity_[q] + conductivity[q]);
       sum += conductance_[s];
     }
     diagonal_[p] = sum;
@@ -77,11 +77,17 @@ void HeadOperator::set_conductivity(std::span<const double> conductivity) {
 void HeadOperator::apply(std::span<const double> head, std::span<double> outflow) const {
 #pragma omp parallel for schedule(static) num_threads(threads_) if (threads_ > 1)
   for (std::size_t p = 0; p < diagonal_.size(); ++p) {
-    double sum = 0.0;
-    for (std::size_t s = neighbours_.start[p]; s < neighbours_.start[p + 1]; ++s) {
-      sum += conductance_[s] * (head[p] - head[neighbours_.index[s]]);
+    const double here = head[p];
+    const std::size_t last = neighbours_.start[p + 1];
+    // two running sums: an addition need not wait for the one before
+    double even = 0.0, odd = 0.0;
+    std::size_t s = neighbours_.start[p];
+    for (; s + 1 < last; s += 2) {
+      even += conductance_[s] * (here - head[neighbours_.index[s]]);
+      odd += conductance_[s + 1] * (here - head[neighbours_.index[s + 1]]);
     }
-    outflow[p] = sum;
+    if (s < last) even += conductance_[s] * (here - head[neighbours_.index[s]]);
+    outflow[p] = even + odd;
   }
 }
 

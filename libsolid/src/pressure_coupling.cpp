@@ -7,6 +7,19 @@
 
 namespace slope::solid {
 
+namespace {
+
+// The components of four nodes in a row as one array, which the processor can treat at once.
+using FourNodes = Eigen::Array<double, 8, 1>;
+auto four_nodes(Eigen::Array2d* first) {
+  return Eigen::Map<FourNodes>(first->data());
+}
+auto four_nodes(const Eigen::Array2d* first) {
+  return Eigen::Map<const FourNodes>(first->data());
+}
+
+}  // namespace
+
 void MaterialPointMethod::sum_cell_gradients() {
   const std::size_t columns = std::size_t(grid_.node_columns());
   const std::size_t count = cells_.size() - 1;
@@ -50,7 +63,7 @@ void MaterialPointMethod::find_pressure_force(std::span<const double> q) const {
     const Eigen::Array2d* gradient = cell_gradient_[c].data();
     Eigen::Array2d* force = pressure_force_.data() + cells_[c].node;
     for (std::size_t b = 0; b < 4; ++b, force += columns, gradient += 4) {
-      for (std::size_t a = 0; a < 4; ++a) force[a] += average * gradient[a];
+      four_nodes(force) += average * four_nodes(gradient);
     }
   });
 }
@@ -62,10 +75,8 @@ void MaterialPointMethod::find_cell_divergence(const std::vector<Eigen::Array2d>
   for (std::size_t c = 0; c < cell_gradient_.size(); ++c) {
     const Eigen::Array2d* gradient = cell_gradient_[c].data();
     const Eigen::Array2d* v = velocity.data() + cells_[c].node;
-    Eigen::Array2d sum = Eigen::Array2d::Zero();
-    for (std::size_t b = 0; b < 4; ++b, v += columns, gradient += 4) {
-      for (std::size_t a = 0; a < 4; ++a) sum += v[a] * gradient[a];
-    }
+    FourNodes sum = FourNodes::Zero();
+    for (std::size_t b = 0; b < 4; ++b, v += columns, gradient += 4) sum += four_nodes(v) * four_nodes(gradient);
     cell_value_[c] = sum.sum() / cells_[c].volume;
   }
 }
@@ -91,9 +102,9 @@ void MaterialPointMethod::volume_response_diagonal(double dt, std::span<double> 
   for (std::size_t c = 0; c < cell_gradient_.size(); ++c) {
     const Eigen::Array2d* gradient = cell_gradient_[c].data();
     const Eigen::Array2d* response = response_.data() + cells_[c].node;
-    Eigen::Array2d sum = Eigen::Array2d::Zero();
+    FourNodes sum = FourNodes::Zero();
     for (std::size_t b = 0; b < 4; ++b, response += columns, gradient += 4) {
-      for (std::size_t a = 0; a < 4; ++a) sum += gradient[a].square() * response[a];
+      sum += four_nodes(gradient).square() * four_nodes(response);
     }
     cell_value_[c] = dt * dt * sum.sum() / (cells_[c].volume * cells_[c].volume);
   }
