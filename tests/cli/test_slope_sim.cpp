@@ -111,9 +111,9 @@ TEST_F(SlopeSim, RunOfTheResolvedCaseInItsOwnFolderGivesTheSame) {
 
 TEST_F(SlopeSim, TheReferenceOfTheFiguresGoesAlong) {
   const fs::path out = scratch_ / "column";
-  const Outcome outcome =
-      call({"run", std::string(SLOPE_CASES) + "/liakopoulos.yaml", "-o", out.string(), "--set", "stop.time=0.01 s",
-            "--set", "output.snapshots=[]", "--set", "figures.profile_times=[0.01 s]", "--set", "initial.stress=none"});
+  const Outcome outcome = call({"run", std::string(SLOPE_CASES) + "/paper/liakopoulos.yaml", "-o", out.string(),
+                                "--set", "stop.time=0.01 s", "--set", "output.snapshots=[]", "--set",
+                                "figures.profile_times=[0.01 s]", "--set", "initial.stress=none"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
   const couple::Case again = couple::read_case(out / "case.yaml");
   EXPECT_EQ(fs::path(again.figures.profile_reference).parent_path(), "");

@@ -36,7 +36,7 @@ INSTANTIATE_TEST_SUITE_P(All, ShippedCase, testing::ValuesIn(shipped_case_files(
 });
 
 TEST(CaseValues, TheSlopeIsTheOneOfThePapersTable2) {
-  const Case input = read_case(shipped_cases() / "slope-w2.yaml");
+  const Case input = read_case(shipped_cases() / "paper/slope-w2.yaml");
   const Soil& soil = input.soils.at(0);
   const auto& strength = std::get<solid::DruckerPrager>(soil.solid.strength);
   const auto& retention = std::get<seepage::VanGenuchten>(soil.seepage.retention);
@@ -64,7 +64,7 @@ TEST(CaseValues, TheSlopeIsTheOneOfThePapersTable2) {
 }
 
 TEST(CaseValues, TheColumnIsTheOneOfThePapersTable1) {
-  const Case input = read_case(shipped_cases() / "liakopoulos.yaml");
+  const Case input = read_case(shipped_cases() / "paper/liakopoulos.yaml");
   const Soil& soil = input.soils.at(0);
   EXPECT_EQ(soil.solid.elastic.youngs_modulus, 1.3e6);
   EXPECT_EQ(soil.solid.elastic.poissons_ratio, 0.4);
