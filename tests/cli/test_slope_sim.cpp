@@ -109,6 +109,18 @@ TEST_F(SlopeSim, RunOfTheResolvedCaseInItsOwnFolderGivesTheSame) {
   EXPECT_EQ(content_of(out / "history.csv"), history);
 }
 
+TEST_F(SlopeSim, RunOfACaseThatIncludesLeavesOneThatDoesNot) {
+  const fs::path out = scratch_ / "run";
+  const fs::path file = write("case.yaml", "include: " + box + "\nstop: {time: 0.05 s}\n");
+  const Outcome outcome = call({"run", file, "-o", out, "--set", "soils.clay.porosity=0.4"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
+  EXPECT_EQ(content_of(out / "case.yaml").find("include"), std::string::npos);
+  const couple::Case again = couple::read_case(out / "case.yaml");
+  EXPECT_EQ(again.title, "A box of wet soil");
+  EXPECT_EQ(again.stop.time, 0.05);
+  EXPECT_EQ(again.soils.at(0).porosity, 0.4);
+}
+
 TEST_F(SlopeSim, TheReferenceOfTheFiguresGoesAlong) {
   const fs::path out = scratch_ / "column";
   const Outcome outcome = call({"run", std::string(SLOPE_CASES) + "/paper/liakopoulos.yaml", "-o", out.string(),
@@ -197,6 +209,19 @@ TEST_F(SlopeSim, AnUnreadableCaseEndsWithCode4) {
   const Outcome outcome = call({"run", (scratch_ / "none.yaml").string(), "-o", (scratch_ / "run").string()});
   EXPECT_EQ(outcome.exit_code, 4);
   EXPECT_EQ(outcome.errors, (scratch_ / "none.yaml").string() + ": cannot be read: No such file or directory\n");
+}
+
+TEST_F(SlopeSim, AnIncludeThatLeadsNowhereEndsWithCode2AndAnUnreadableOneWithCode4) {
+  const auto check = [&](const std::string& include) { return call({"check", write("case.yaml", include)}); };
+  const std::string place = (scratch_ / "case.yaml").string() + ":1: include: ";
+  const Outcome missing = check("include: base.yaml\n");
+  EXPECT_EQ(missing.exit_code, 2);
+  EXPECT_EQ(missing.errors, place + "there is no file " + (scratch_ / "base.yaml").string() +
+                                "; the path counts from the folder of this file\n");
+  fs::create_directory(scratch_ / "folder");
+  const Outcome folder = check("include: folder\n");
+  EXPECT_EQ(folder.exit_code, 4);
+  EXPECT_EQ(folder.errors, place + (scratch_ / "folder").string() + ": is a folder, not a case file\n");
 }
 
 TEST_F(SlopeSim, AnUnknownOverrideEndsWithCode2) {
