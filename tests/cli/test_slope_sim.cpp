@@ -250,6 +250,17 @@ TEST_F(SlopeSim, CheckOfAFineCaseSaysWhatItHolds) {
   EXPECT_EQ(outcome.output, quick + ": fine: 569 particles of 1 soil on 22 x 12 cells of 0.5 m, until 60 s\n");
 }
 
+TEST_F(SlopeSim, CheckPassesOnEveryShippedCase) {
+  std::size_t files = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(SLOPE_CASES)) {
+    if (entry.path().extension() != ".yaml") continue;
+    ++files;
+    const Outcome outcome = call({"check", entry.path()});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
+  }
+  EXPECT_GE(files, 8u);
+}
+
 TEST_F(SlopeSim, SchemaAndVersionArePrinted) {
   const Outcome schema = call({"schema"});
   EXPECT_EQ(schema.exit_code, 0);
