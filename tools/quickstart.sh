@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # From a fresh clone to pictures of a slope that got wet and failed: installs what is missing, builds,
-# runs cases/slope-w2.yaml and draws it.
+# runs cases/paper/slope-w2.yaml and draws it.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 export OMP_WAIT_POLICY=passive
@@ -10,7 +10,7 @@ cmake --preset release
 cmake --build --preset release --target slope-sim slope-render
 
 results=results/slope-w2
-build/release/bin/slope-sim run cases/slope-w2.yaml -o "$results" --threads "$(nproc)"
+build/release/bin/slope-sim run cases/paper/slope-w2.yaml -o "$results" --threads "$(nproc)"
 build/release/bin/slope-render "$results"
 
 echo "The pictures are in $PWD/$results/figures"

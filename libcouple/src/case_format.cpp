@@ -48,6 +48,17 @@ Format<seepage::Water> water_format() {
       .format();
 }
 
+/// A case is merged with its base before it is read. What is still there was added by --set.
+Field<Case> include_field() {
+  const std::string description =
+      "another case file, path from this one: its keys hold where this one does not give them";
+  return {{include_key, false, "", described(include_format().schema, description)},
+          [](const Input& input, Case&) {
+            input.problem("stands in a case file only; write it there, or take the base itself");
+          },
+          [](const Case&) { return Document{}; }};
+}
+
 /// The regions, whose soils go by name.
 Field<Case> geometry_field() {
   const auto format =
@@ -173,8 +184,9 @@ Format<Figures> figures_format() {
       .optional("profile_times", &Figures::profile_times, list_of(moment),
                 "times of the profiles of suction against height")
       .optional(
-          "profile_reference", &Figures::profile_reference, text(),
-          "CSV file with columns z_m and suction_head_m_t<time>, path from the case file, drawn beside the profiles")
+          "profile_reference", &Figures::profile_reference, path_text(),
+          "CSV file with columns z_m and suction_head_m_t<time>, path from the file it stands in, drawn beside the "
+          "profiles")
       .optional("contour_times", &Figures::contour_times, list_of(moment),
                 "times of the contour pictures; without them: start, onset and end")
       .format();
@@ -182,10 +194,24 @@ Format<Figures> figures_format() {
 
 }  // namespace
 
+Format<std::string> include_format() {
+  Format<std::string> format = text();
+  format.read = [](const Input& input, std::string& value) {
+    const std::string expected = "the path of a case file, such as \"base.yaml\"";
+    const auto path = expect_value(input, expected);
+    if (!path) return;
+    value = *path;
+    if (!is_text(input.node())) input.problem(fmt::format("expected {}, got \"{}\"", expected, value));
+  };
+  format.schema.set("minLength", Document::number(1));
+  return format;
+}
+
 Format<Case> case_format() {
   const auto points = named(part<VerificationPoint>(&VerificationPoint::position, pair_of(Dimension::length)));
   Record<Case> record;
-  record.required("title", &Case::title, text(), "what the case is about", "A slope under rain")
+  record.field(include_field())
+      .required("title", &Case::title, text(), "what the case is about", "A slope under rain")
       .optional("gravity", &Case::gravity, quantity(Dimension::acceleration, above(0.0)), "downwards")
       .required("domain", &Case::domain, domain_format(),
                 "the background grid; its sides and base are walls, its top is open",

@@ -1,10 +1,19 @@
 #pragma once
 
+#include <array>
+
 #include "format.hpp"
 #include "slope/couple/case.hpp"
 
 /// The case format: every key with its meaning, its unit, its range, and whether it is required.
 namespace slope::couple {
+
+/// The key of a case file under which its base stands, and the path that it holds.
+inline constexpr const char* include_key = "include";
+[[nodiscard]] Format<std::string> include_format();
+
+/// The keys of a water boundary of which it has exactly one.
+inline constexpr std::array water_conditions{"pressure", "total_head", "flux"};
 
 [[nodiscard]] Format<Soil> soil_format();
 [[nodiscard]] Format<InitialWater> initial_water_format();

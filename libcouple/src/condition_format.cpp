@@ -81,10 +81,10 @@ WaterBoundaryText to_text(const WaterBoundary& boundary) {
   return text;
 }
 
-/// The schema of "exactly one of these keys".
-Document exactly_one(std::initializer_list<const char*> keys) {
+/// The branches of a schema of which exactly one holds: one of the conditions is there.
+Document exactly_one_condition() {
   std::vector<Document> branches;
-  for (const char* key : keys) {
+  for (const char* key : water_conditions) {
     Document branch = Document::map();
     branch.set("required", Document::list({Document::text(key)}));
     branches.push_back(std::move(branch));
@@ -137,7 +137,7 @@ Format<WaterBoundary> water_boundary_format() {
       "initial", [](auto& text) -> auto& { return text.common.initial; }, flag(),
       "holds in the steady seepage before the start too");
   Format<WaterBoundary> format = converted<WaterBoundaryText, WaterBoundary>(record.format(), from_text, to_text);
-  format.schema.set("oneOf", exactly_one({"pressure", "total_head", "flux"}));
+  format.schema.set("oneOf", exactly_one_condition());
   return format;
 }
 

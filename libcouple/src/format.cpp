@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <filesystem>
 
 namespace slope::couple {
 
@@ -94,6 +95,18 @@ Format<std::string> text() {
           schema_of_type("string")};
 }
 
+Format<std::string> path_text() {
+  Format<std::string> format = text();
+  format.read = [read = format.read](const Input& input, std::string& value) {
+    namespace fs = std::filesystem;
+    read(input, value);
+    const std::string& file = input.node().file;
+    if (file == input.file() || file == override_source) return;
+    value = (fs::path(file).parent_path() / value).lexically_proximate(fs::path(input.file()).parent_path()).string();
+  };
+  return format;
+}
+
 Format<std::string> name_text() {
   Document schema = schema_of_type("string");
   schema.set("pattern", Document::text(name_pattern()));
@@ -159,6 +172,36 @@ Document object_schema(const std::vector<FieldHead>& fields) {
   return schema;
 }
 
+Document overlay_schema(const Document& schema) {
+  const bool object = schema.find("properties") != nullptr;
+  Document overlay = Document::map();
+  for (const Document& keyword : schema.children) {
+    if (keyword.key == "required") {
+      const bool named = std::any_of(keyword.children.begin(), keyword.children.end(),
+                                     [](const Document& name) { return name.value == "name"; });
+      if (named) overlay.set("required", Document::list({Document::text("name")}));
+    } else if (keyword.key == "properties") {
+      Document properties = Document::map();
+      for (const Document& property : keyword.children) properties.set(property.key, overlay_schema(property));
+      overlay.set("properties", std::move(properties));
+    } else if (keyword.key == "additionalProperties") {
+      overlay.set(keyword.key, keyword.kind == Document::Kind::map ? overlay_schema(keyword) : keyword);
+    } else if (keyword.key == "items") {
+      const Document* properties = keyword.find("properties");
+      const bool merged = properties != nullptr && properties->find("name") != nullptr;
+      overlay.set("items", merged ? overlay_schema(keyword) : keyword);
+    } else if (keyword.key == "oneOf") {
+      if (object) continue;
+      Document branches = Document::list();
+      for (const Document& branch : keyword.children) branches.children.push_back(overlay_schema(branch));
+      overlay.set("anyOf", std::move(branches));
+    } else if (keyword.key != "minProperties" && keyword.key != "default") {
+      overlay.set(keyword.key, keyword);
+    }
+  }
+  return overlay;
+}
+
 Document choice_schema(const std::vector<Document>& values) {
   Document schema = Document::map();
   return schema.set("enum", Document::list(values));
@@ -199,6 +242,12 @@ bool expect_map(const Input& input, std::size_t least_entries) {
   if (input.node().children.size() >= least_entries) return true;
   input.problem(fmt::format("needs at least {} entr{}", least_entries, least_entries == 1 ? "y" : "ies"));
   return false;
+}
+
+bool is_text(const Document& value) {
+  if (value.quoted || value.value.empty()) return !value.value.empty();
+  const bool number = std::holds_alternative<double>(parse_quantity(value.value, Dimension::number));
+  return !number && value.value != "true" && value.value != "false";
 }
 
 std::optional<std::string> expect_value(const Input& input, const std::string& expected) {

@@ -29,6 +29,8 @@ struct Format {
 [[nodiscard]] Format<double> quantity(Dimension dimension, const Range& range = any_value());
 [[nodiscard]] Format<bool> flag();
 [[nodiscard]] Format<std::string> text();
+/// A path from the folder of the file that it stands in; as a value, from the folder of the case file.
+[[nodiscard]] Format<std::string> path_text();
 /// [x, y]
 [[nodiscard]] Format<std::array<double, 2>> pair_of(Dimension dimension);
 
@@ -48,10 +50,14 @@ struct FieldHead {
 [[nodiscard]] Document described(Document schema, const std::string& description);
 [[nodiscard]] Document object_schema(const std::vector<FieldHead>& fields);
 [[nodiscard]] Document choice_schema(const std::vector<Document>& values);
+/// The schema of what is laid over a base (see merged()): nothing is required, save the names by which items are found.
+[[nodiscard]] Document overlay_schema(const Document& schema);
 /// Reports the keys that no field has, and the required fields that are not there; of a misspelt one only the former.
 void report_keys(const Input& map, const std::vector<FieldHead>& fields);
 [[nodiscard]] bool expect_list(const Input& input, std::size_t least_items);
 [[nodiscard]] bool expect_map(const Input& input, std::size_t least_entries);
+/// Whether a value is more than empty and no number, true or false.
+[[nodiscard]] bool is_text(const Document& value);
 /// The text of a value; none, and a problem, if it is a list or a map.
 [[nodiscard]] std::optional<std::string> expect_value(const Input& input, const std::string& expected);
 

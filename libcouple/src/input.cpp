@@ -39,7 +39,7 @@ Input::Input(const Input& parent, const Document& node, std::string key)
     : node_(&node), key_(std::move(key)), file_(parent.file_), problems_(parent.problems_) {}
 
 void Input::problem(std::string message) const {
-  problems_->push_back({node_->from_override ? "--set" : *file_, node_->line, key_, std::move(message)});
+  problems_->push_back({node_->file, node_->line, key_, std::move(message)});
 }
 
 void Input::problem_with(std::string_view name, std::string message) const {

@@ -16,6 +16,7 @@ class Input {
 
   [[nodiscard]] const Document& node() const { return *node_; }
   [[nodiscard]] const std::string& key() const { return key_; }
+  /// The case file itself; node().file is the one that this place stands in, which may be a base of it.
   [[nodiscard]] const std::string& file() const { return *file_; }
 
   /// Says what is wrong here.
@@ -41,10 +42,13 @@ class Input {
   std::vector<Problem>* problems_;
 };
 
+/// The file that documents from --set name.
+inline constexpr const char* override_source = "--set";
+
 /// The dotted key of an entry of a map, or of an item of a list.
 [[nodiscard]] std::string joined_key(const std::string& parent, std::string_view name);
 
-/// Reads YAML text into a document, every node with its line.
+/// Reads YAML text into a document, every node with its file and line.
 /// Text that is not YAML, duplicate keys and more than one document are put into the list of problems.
 [[nodiscard]] Document parse_yaml(const std::string& text, const std::string& file, std::vector<Problem>& problems);
 

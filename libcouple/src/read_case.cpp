@@ -3,28 +3,23 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
-#include <sstream>
+#include <utility>
 
 #include "case_format.hpp"
+#include "load_case.hpp"
 
 namespace slope::couple {
 
 namespace {
 
-std::string content_of(const std::filesystem::path& file) {
-  std::error_code error;
-  if (std::filesystem::is_directory(file, error))
-    throw FileError(fmt::format("{}: is a folder, not a case file", file.string()));
-  errno = 0;
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream content;
-  if (stream && stream.peek() != std::ifstream::traits_type::eof()) content << stream.rdbuf();
-  if (!stream.is_open() || stream.bad())
-    throw FileError(fmt::format("{}: cannot be read: {}", file.string(), std::strerror(errno)));
-  return content.str();
+/// Overrides first, then file by file and line by line.
+void sort_by_place(std::vector<Problem>& problems, const std::vector<std::string>& files) {
+  const auto place = [&](const Problem& problem) {
+    const auto file = std::find(files.begin(), files.end(), problem.file);
+    return std::pair(file == files.end() ? 0 : file - files.begin() + 1, problem.line);
+  };
+  std::stable_sort(problems.begin(), problems.end(),
+                   [&](const Problem& a, const Problem& b) { return place(a) < place(b); });
 }
 
 /// The times of the figures need particle files too.
@@ -41,8 +36,7 @@ void add_figure_times(Case& input) {
 Case read_case(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
   const std::string name = file.string();
   std::vector<Problem> problems;
-  Document document = parse_yaml(content_of(file), name, problems);
-  if (document.kind == Document::Kind::empty && !problems.empty()) throw InputError(std::move(problems));
+  auto [document, files] = load_case(file, problems);
   for (const std::string& assignment : overrides) apply_override(document, assignment, problems);
 
   Case result;
@@ -51,8 +45,7 @@ Case read_case(const std::filesystem::path& file, const std::vector<std::string>
   case_format().read(root, result);
   if (document.kind == Document::Kind::map) check_case(root, result);
   if (!problems.empty()) {
-    std::stable_sort(problems.begin(), problems.end(),
-                     [](const Problem& a, const Problem& b) { return a.line < b.line; });
+    sort_by_place(problems, files);
     throw InputError(std::move(problems));
   }
   add_figure_times(result);
@@ -69,7 +62,13 @@ std::string case_schema() {
       .set("title", Document::text("slope case"))
       .set("description",
            Document::text("A case of slope-sim: rain-induced slope failure. Dimensional values carry their unit."));
-  for (const Document& entry : case_format().schema.children) schema.set(entry.key, entry);
+  const Document full = case_format().schema;
+  Document including = Document::map();
+  including.set("required", Document::list({Document::text(include_key)}));
+  schema.set("type", Document::text("object"))
+      .set("if", std::move(including))
+      .set("then", overlay_schema(full))
+      .set("else", full);
   return json_text(schema);
 }
 

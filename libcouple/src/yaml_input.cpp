@@ -26,6 +26,7 @@ class Converter {
 
   Document convert(const YAML::Node& node, const std::string& path, int line, int depth = 0) {
     Document document;
+    document.file = file_;
     document.line = node.Mark().is_null() ? line : node.Mark().line + 1;
     if (depth > deepest_nesting) throw TooDeep{document.line};
     if (node.IsScalar()) {
@@ -70,7 +71,7 @@ class Converter {
 };
 
 void mark_as_override(Document& document) {
-  document.from_override = true;
+  document.file = override_source;
   document.line = 0;
   for (Document& child : document.children) mark_as_override(child);
 }
@@ -131,7 +132,7 @@ Document parse_yaml(const std::string& text, const std::string& file, std::vecto
 
 void apply_override(Document& root, const std::string& assignment, std::vector<Problem>& problems) {
   const auto report = [&](const std::string& key, std::string message) {
-    problems.push_back({"--set", 0, key, std::move(message)});
+    problems.push_back({override_source, 0, key, std::move(message)});
   };
   const std::size_t equals = assignment.find('=');
   const std::vector<std::string> words = split(assignment.substr(0, equals));
@@ -141,7 +142,7 @@ void apply_override(Document& root, const std::string& assignment, std::vector<P
     return;
   }
   std::vector<Problem> found;
-  Document value = parse_yaml(assignment.substr(equals + 1), "--set", found);
+  Document value = parse_yaml(assignment.substr(equals + 1), override_source, found);
   mark_as_override(value);
   const std::string path = assignment.substr(0, equals);
   for (const Problem& problem : found) report(path, problem.message);

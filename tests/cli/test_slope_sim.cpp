@@ -109,11 +109,23 @@ TEST_F(SlopeSim, RunOfTheResolvedCaseInItsOwnFolderGivesTheSame) {
   EXPECT_EQ(content_of(out / "history.csv"), history);
 }
 
+TEST_F(SlopeSim, RunOfACaseThatIncludesLeavesOneThatDoesNot) {
+  const fs::path out = scratch_ / "run";
+  const fs::path file = write("case.yaml", "include: " + box + "\nstop: {time: 0.05 s}\n");
+  const Outcome outcome = call({"run", file, "-o", out, "--set", "soils.clay.porosity=0.4"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
+  EXPECT_EQ(content_of(out / "case.yaml").find("include"), std::string::npos);
+  const couple::Case again = couple::read_case(out / "case.yaml");
+  EXPECT_EQ(again.title, "A box of wet soil");
+  EXPECT_EQ(again.stop.time, 0.05);
+  EXPECT_EQ(again.soils.at(0).porosity, 0.4);
+}
+
 TEST_F(SlopeSim, TheReferenceOfTheFiguresGoesAlong) {
   const fs::path out = scratch_ / "column";
-  const Outcome outcome =
-      call({"run", std::string(SLOPE_CASES) + "/liakopoulos.yaml", "-o", out.string(), "--set", "stop.time=0.01 s",
-            "--set", "output.snapshots=[]", "--set", "figures.profile_times=[0.01 s]", "--set", "initial.stress=none"});
+  const Outcome outcome = call({"run", std::string(SLOPE_CASES) + "/paper/liakopoulos.yaml", "-o", out.string(),
+                                "--set", "stop.time=0.01 s", "--set", "output.snapshots=[]", "--set",
+                                "figures.profile_times=[0.01 s]", "--set", "initial.stress=none"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
   const couple::Case again = couple::read_case(out / "case.yaml");
   EXPECT_EQ(fs::path(again.figures.profile_reference).parent_path(), "");
@@ -199,6 +211,19 @@ TEST_F(SlopeSim, AnUnreadableCaseEndsWithCode4) {
   EXPECT_EQ(outcome.errors, (scratch_ / "none.yaml").string() + ": cannot be read: No such file or directory\n");
 }
 
+TEST_F(SlopeSim, AnIncludeThatLeadsNowhereEndsWithCode2AndAnUnreadableOneWithCode4) {
+  const auto check = [&](const std::string& include) { return call({"check", write("case.yaml", include)}); };
+  const std::string place = (scratch_ / "case.yaml").string() + ":1: include: ";
+  const Outcome missing = check("include: base.yaml\n");
+  EXPECT_EQ(missing.exit_code, 2);
+  EXPECT_EQ(missing.errors, place + "there is no file " + (scratch_ / "base.yaml").string() +
+                                "; the path counts from the folder of this file\n");
+  fs::create_directory(scratch_ / "folder");
+  const Outcome folder = check("include: folder\n");
+  EXPECT_EQ(folder.exit_code, 4);
+  EXPECT_EQ(folder.errors, place + (scratch_ / "folder").string() + ": is a folder, not a case file\n");
+}
+
 TEST_F(SlopeSim, AnUnknownOverrideEndsWithCode2) {
   const Outcome outcome = call({"check", quick, "--set", "stop.tiem=1 s"});
   EXPECT_EQ(outcome.exit_code, 2);
@@ -223,6 +248,17 @@ TEST_F(SlopeSim, CheckOfAFineCaseSaysWhatItHolds) {
   const Outcome outcome = call({"check", quick});
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_EQ(outcome.output, quick + ": fine: 569 particles of 1 soil on 22 x 12 cells of 0.5 m, until 60 s\n");
+}
+
+TEST_F(SlopeSim, CheckPassesOnEveryShippedCase) {
+  std::size_t files = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(SLOPE_CASES)) {
+    if (entry.path().extension() != ".yaml") continue;
+    ++files;
+    const Outcome outcome = call({"check", entry.path()});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
+  }
+  EXPECT_GE(files, 8u);
 }
 
 TEST_F(SlopeSim, SchemaAndVersionArePrinted) {

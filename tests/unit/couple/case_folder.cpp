@@ -47,7 +47,7 @@ std::filesystem::path CaseFolder::write(const std::string& name, const std::stri
 }
 
 ChangedCase slope_with(const std::string& text, const std::string& replacement) {
-  std::string content = content_of(shipped_cases() / "slope-w2.yaml");
+  std::string content = content_of(shipped_cases() / "paper" / "slope-w2.yaml");
   const std::size_t at = content.find(text);
   if (at == std::string::npos) throw std::runtime_error("slope-w2.yaml no longer has: " + text);
   const auto line = 1 + std::count(content.begin(), content.begin() + static_cast<std::ptrdiff_t>(at), '\n');

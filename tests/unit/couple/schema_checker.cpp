@@ -93,6 +93,10 @@ class Checker {
     if (name == "propertyNames") return check_names(keyword);
     if (name == "oneOf") return expect(matches(keyword) == 1, keyword);
     if (name == "anyOf") return expect(matches(keyword) >= 1, keyword);
+    if (name == "minLength")
+      return expect(type_of(document_) != "string" || document_.value.size() >= std::stoul(keyword.value), keyword);
+    if (name == "if") return check_condition(keyword);
+    if (name == "then" || name == "else") return;
     report("the checker does not know the keyword " + name);
   }
 
@@ -124,6 +128,13 @@ class Checker {
         report("knows no " + entry.key);
       }
     }
+  }
+  void check_condition(const Document& condition) {
+    const bool holds = schema_violations(condition, document_, path_).empty();
+    const Document* consequence = schema_.find(holds ? "then" : "else");
+    if (consequence == nullptr) return;
+    for (auto& violation : schema_violations(*consequence, document_, path_))
+      violations_.push_back(std::move(violation));
   }
   void check_names(const Document& rule) {
     if (document_.kind != Document::Kind::map) return;

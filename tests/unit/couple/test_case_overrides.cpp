@@ -7,7 +7,7 @@ namespace slope::couple::test {
 namespace {
 
 Case slope(const std::vector<std::string>& overrides) {
-  return read_case(shipped_cases() / "slope-w2.yaml", overrides);
+  return read_case(shipped_cases() / "paper/slope-w2.yaml", overrides);
 }
 
 std::string problem_of(const std::string& assignment) {

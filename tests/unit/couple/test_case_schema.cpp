@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <functional>
 #include <set>
 
 #include "case_folder.hpp"
@@ -27,6 +28,7 @@ std::string joined_lines(const std::vector<std::string>& lines) {
 class CaseSchema : public testing::Test {
  protected:
   const Document schema_ = parsed(case_schema());
+  const Document& whole_ = *schema_.find("else");  ///< of a case that includes no other
 };
 
 TEST_F(CaseSchema, IsDraft202012) {
@@ -156,12 +158,59 @@ TEST_F(CaseSchema, NamesExactlyTheKeysThatTheReaderKnows) {
     input.tractions = {{"fill", {}, {0.0, -1.0}, 0.0, 0.0}};
     const std::string resolved = resolved_yaml(input);
     std::set<std::string> seen;
-    compare_keys(folder.write("case.yaml", resolved), schema_, parsed(resolved), "", seen);
+    compare_keys(folder.write("case.yaml", resolved), whole_, parsed(resolved), "", seen);
     for (const char* path :
          {"", "domain", "walls", "water", "geometry.0", "initial", "initial.water", "water_boundaries.rain",
           "loads.fill", "coupling", "numerics", "clock", "failure", "stop", "output", "figures"}) {
       EXPECT_TRUE(seen.contains(path)) << path;
     }
+  }
+}
+
+/// Takes every key away in turn, and gives what is left to `see`. Lists without names are all or nothing.
+void without_each_key(Document& document, const Document& root,
+                      const std::function<void(const Document& root, const std::string& key)>& see) {
+  if (document.kind == Document::Kind::list && word_for(document.children.at(0), 0) == "0") return;
+  for (std::size_t i = 0; i < document.children.size(); ++i) {
+    const Document taken = document.children[i];
+    const auto position = static_cast<std::ptrdiff_t>(i);
+    if (taken.key != "name" && taken.key != "include") {
+      document.children.erase(document.children.begin() + position);
+      see(root, taken.key);
+      document.children.insert(document.children.begin() + position, taken);
+    }
+    if (taken.kind != Document::Kind::value) without_each_key(document.children[i], root, see);
+  }
+}
+
+TEST_F(CaseSchema, ACaseThatIncludesMayLeaveOutAnyKey) {
+  std::set<std::string> keys;
+  for (const char* name : {"quick.yaml", "paper/liakopoulos.yaml"}) {
+    Document document = parsed(resolved_yaml(read_case(shipped_cases() / name)));
+    document.set("include", Document::text("base.yaml"));
+    without_each_key(document, document, [&](const Document& rest, const std::string& key) {
+      keys.insert(key);
+      EXPECT_EQ(joined_lines(schema_violations(schema_, rest)), "") << name << " without " << key;
+    });
+  }
+  for (const char* key : {"title", "soils", "porosity", "model", "alpha", "coefficient", "water_table", "type",
+                          "pressure", "at", "time", "profile_times"}) {
+    EXPECT_TRUE(keys.contains(key)) << key;
+  }
+}
+
+TEST_F(CaseSchema, AnIncludingCaseIsStillChecked) {
+  const auto refused = [&](const std::string& text) { return !schema_violations(schema_, parsed(text)).empty(); };
+  EXPECT_FALSE(refused("include: base.yaml\n"));
+  EXPECT_FALSE(refused("include: base.yaml\nwater_boundaries: [{name: rain, ramp: 7 s}]\n"));
+  for (const char* text :
+       {"title: x\n", "include: 3\n", "include: true\n", "include: ''\n", "include: [base.yaml]\n", "include: {}\n",
+        "include: base.yaml\ntitel: x\n", "include: base.yaml\nstop: {time: 3}\n", "include: base.yaml\nstop: 3 min\n",
+        "include: base.yaml\nsoils: {clay: {porosity: 2}}\n",
+        "include: base.yaml\nsoils: {clay: {retention: {alpha: 1 m}}}\n",
+        "include: base.yaml\nsoils: {clay: {retention: {model: corey}}}\n",
+        "include: base.yaml\nwater_boundaries: [{ramp: 7 s}]\n", "include: base.yaml\ngeometry: [{soil: clay}]\n"}) {
+    EXPECT_TRUE(refused(text)) << text;
   }
 }
 
@@ -184,7 +233,7 @@ TEST_F(CaseSchema, EveryAlternativeIsAccepted) {
     EXPECT_EQ(joined_lines(schema_violations(schema_, parsed(resolved))), "") << assignment;
     EXPECT_EQ(resolved_yaml(read_case(folder.write("case.yaml", resolved))), resolved) << assignment;
     std::set<std::string> seen;
-    compare_keys(folder.path() / "case.yaml", schema_, parsed(resolved), "", seen);
+    compare_keys(folder.path() / "case.yaml", whole_, parsed(resolved), "", seen);
   }
 }
 

@@ -36,7 +36,7 @@ INSTANTIATE_TEST_SUITE_P(All, ShippedCase, testing::ValuesIn(shipped_case_files(
 });
 
 TEST(CaseValues, TheSlopeIsTheOneOfThePapersTable2) {
-  const Case input = read_case(shipped_cases() / "slope-w2.yaml");
+  const Case input = read_case(shipped_cases() / "paper/slope-w2.yaml");
   const Soil& soil = input.soils.at(0);
   const auto& strength = std::get<solid::DruckerPrager>(soil.solid.strength);
   const auto& retention = std::get<seepage::VanGenuchten>(soil.seepage.retention);
@@ -63,8 +63,49 @@ TEST(CaseValues, TheSlopeIsTheOneOfThePapersTable2) {
   EXPECT_EQ(input.points.size(), 7u);
 }
 
+/// A slope of the paper's Tables 3 and 4, and the time in which it does what W2 does in one.
+struct PaperSlope {
+  const char* name;
+  double alpha;
+  double hydraulic_conductivity;
+  double times;
+};
+
+TEST(CaseValues, TheSlopesDifferAsInThePapersTables3And4) {
+  const Case base = read_case(shipped_cases() / "paper/slope-w2.yaml");
+  for (const PaperSlope& slope : std::vector<PaperSlope>{{"w1", 0.025, 1.0e-5, 1.0},
+                                                         {"w2", 0.05, 1.0e-5, 1.0},
+                                                         {"w3", 0.074, 1.0e-5, 1.0},
+                                                         {"h1", 0.05, 1.0e-4, 0.1},
+                                                         {"h2", 0.05, 1.0e-5, 1.0},
+                                                         {"h3", 0.05, 1.0e-6, 10.0}}) {
+    SCOPED_TRACE(slope.name);
+    Case input = read_case(shipped_cases() / "paper" / (std::string("slope-") + slope.name + ".yaml"));
+    seepage::Soil& soil = input.soils.at(0).seepage;
+    auto& retention = std::get<seepage::VanGenuchten>(soil.retention);
+    WaterBoundary& rain = input.water_boundaries.at(0);
+    EXPECT_EQ(retention.alpha, slope.alpha);
+    EXPECT_EQ(soil.hydraulic_conductivity, slope.hydraulic_conductivity);
+    EXPECT_EQ(rain.ramp, 5.0 * slope.times);
+    EXPECT_EQ(input.stop.time, 2400.0 * slope.times);
+    EXPECT_EQ(input.output.snapshot_interval, 60.0 * slope.times);
+    EXPECT_EQ(input.output.history_interval, slope.times);
+    std::string capital = slope.name;
+    capital.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(capital.front())));
+    EXPECT_EQ(input.title, "Slope " + capital + " under rain");
+
+    input.title = base.title;
+    retention.alpha = 0.05;
+    soil.hydraulic_conductivity = 1.0e-5;
+    rain.ramp = base.water_boundaries.at(0).ramp;
+    input.stop.time = base.stop.time;
+    input.output = base.output;
+    EXPECT_EQ(resolved_yaml(input), resolved_yaml(base)) << "nothing else differs";
+  }
+}
+
 TEST(CaseValues, TheColumnIsTheOneOfThePapersTable1) {
-  const Case input = read_case(shipped_cases() / "liakopoulos.yaml");
+  const Case input = read_case(shipped_cases() / "paper/liakopoulos.yaml");
   const Soil& soil = input.soils.at(0);
   EXPECT_EQ(soil.solid.elastic.youngs_modulus, 1.3e6);
   EXPECT_EQ(soil.solid.elastic.poissons_ratio, 0.4);

@@ -82,14 +82,14 @@ TEST(FillRegions, RegionsThatTouchShareNoParticle) {
 }
 
 TEST(FillRegions, ThePapersSlopeHasThePrototypesParticles) {
-  const Case input = read_case(shipped_cases() / "slope-w2.yaml");
+  const Case input = read_case(shipped_cases() / "paper/slope-w2.yaml");
   const auto particles = fill_regions(input.domain, input.regions);
   EXPECT_EQ(particles.x.size(), 5089u);
   EXPECT_NEAR(area_of(particles), std::abs(signed_area(input.regions.at(0).polygon)), 0.003 * area_of(particles));
 }
 
 TEST(ParticlesAt, TheGroundSurfaceIsTheUppermostOfEachColumn) {
-  const Case input = read_case(shipped_cases() / "slope-w2.yaml");
+  const Case input = read_case(shipped_cases() / "paper/slope-w2.yaml");
   const auto particles = fill_regions(input.domain, input.regions);
   const auto surface = particles_at({Place::ground_surface}, particles);
   ASSERT_EQ(surface.size(), 144u);

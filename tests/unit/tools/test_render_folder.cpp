@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 void fill_run_folder(const fs::path& folder) {
   fs::create_directories(folder);
   std::ofstream(folder / "case.yaml") << couple::resolved_yaml(
-      couple::read_case(fs::path(SLOPE_CASES) / "slope-w2.yaml"));
+      couple::read_case(fs::path(SLOPE_CASES) / "paper/slope-w2.yaml"));
   ParticleFileSeries series(folder);
   series.write(synthetic_slope(0.0), "start");
   series.write(synthetic_slope(300.0, 0.0, 0.7));

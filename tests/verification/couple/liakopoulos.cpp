@@ -21,7 +21,7 @@ struct Errors {
 };
 
 Errors run_liakopoulos(const std::string& skeleton) {
-  couple::Simulation simulation = start_shipped_case("liakopoulos.yaml", {"coupling.skeleton=" + skeleton});
+  couple::Simulation simulation = start_shipped_case("paper/liakopoulos.yaml", {"coupling.skeleton=" + skeleton});
   const Table profiles = reference("liakopoulos/liakopoulos_ref_" + skeleton + "_profiles.csv");
   const Table history = reference("liakopoulos/liakopoulos_ref_history.csv");
   const Curve outflow{history.column("t_s"),

@@ -20,12 +20,12 @@ couple::Summary run_to_end(couple::Simulation simulation) {
 }
 
 double onset(const std::vector<std::string>& overrides) {
-  return run_to_end(start_shipped_case("slope-w2.yaml", overrides)).onset_time.value();
+  return run_to_end(start_shipped_case("paper/slope-w2.yaml", overrides)).onset_time.value();
 }
 
 TEST(SlopeW2, StandsBeforeTheRain) {
   couple::Simulation simulation = start_shipped_case(
-      "slope-w2.yaml", {"water_boundaries.rain.start=11 s", "stop.time=10 s", "clock.adaptive=false"});
+      "paper/slope-w2.yaml", {"water_boundaries.rain.start=11 s", "stop.time=10 s", "clock.adaptive=false"});
   EXPECT_TRUE(record("slope-w2-1", "Slope W2 before the rain: largest flux of the head operator over k",
                      at_most(1.0e-9), simulation.summary().initial_head_flux, ""));
   const couple::Summary still = run_to_end(std::move(simulation));
@@ -34,7 +34,7 @@ TEST(SlopeW2, StandsBeforeTheRain) {
 }
 
 TEST(SlopeW2, FailsFromTheToeUpwards) {
-  couple::Simulation simulation = start_shipped_case("slope-w2.yaml");
+  couple::Simulation simulation = start_shipped_case("paper/slope-w2.yaml");
   run(simulation, [](const couple::ParticleTable&) {});
   const couple::Summary summary = simulation.summary();
   ASSERT_TRUE(summary.onset_time && summary.zone_at_onset && summary.zone_at_10_cm);

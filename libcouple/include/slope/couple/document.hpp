@@ -14,8 +14,8 @@ struct Document {
   std::string key;                 ///< under which it stands in its map; empty in a list
   std::string value;               ///< of a value: its text
   bool quoted = false;             ///< the value is a text, even if it reads like a number
-  bool from_override = false;      ///< it comes from --set and not from the file
-  int line = 0;                    ///< of the file it was read from, 1-based; 0: none
+  std::string file;                ///< it was read from; "--set": it is an override
+  int line = 0;                    ///< of that file, 1-based; 0: none
   std::vector<Document> children;  ///< of a list or a map
 
   [[nodiscard]] static Document text(std::string value);

@@ -1,0 +1,168 @@
+#include "load_case.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+#include <utility>
+
+#include "case_format.hpp"
+
+namespace slope::couple {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string content_of(const fs::path& file) {
+  std::error_code error;
+  if (fs::is_directory(file, error)) throw FileError(fmt::format("{}: is a folder, not a case file", file.string()));
+  errno = 0;
+  std::ifstream stream(file, std::ios::binary);
+  std::ostringstream content;
+  if (stream && stream.peek() != std::ifstream::traits_type::eof()) content << stream.rdbuf();
+  if (!stream.is_open() || stream.bad())
+    throw FileError(fmt::format("{}: cannot be read: {}", file.string(), std::strerror(errno)));
+  return content.str();
+}
+
+/// A case file being read, and its bases.
+class Loader {
+ public:
+  explicit Loader(std::vector<Problem>& problems) : problems_(problems) {}
+
+  Document load(const fs::path& file, const std::string& content) {
+    const std::string name = file.string();
+    files_.push_back(name);
+    Document document = parse_yaml(content, name, problems_);
+    if (document.kind == Document::Kind::empty && !problems_.empty()) throw InputError(problems_);
+    const Document* include = document.find(include_key);
+    if (include == nullptr) return document;
+    const Document base = load_base(Input(document, name, problems_).at(include_key), file.parent_path());
+    std::erase_if(document.children, [](const Document& entry) { return entry.key == include_key; });
+    return merged(base, document);
+  }
+
+  [[nodiscard]] std::vector<std::string> files() && { return std::move(files_); }
+
+ private:
+  Document load_base(const Input& include, const fs::path& folder) {
+    std::string name;
+    const std::size_t before = problems_.size();
+    include_format().read(include, name);
+    if (problems_.size() > before) throw InputError(problems_);
+    const fs::path file = folder / name;
+    std::error_code error;
+    if (!fs::exists(file, error) && !error) {
+      include.problem(fmt::format("there is no file {}; the path counts from the folder of this file", file.string()));
+      throw InputError(problems_);
+    }
+    refuse_circle(include, file);
+    const Document base = load(file, content_of_base(include.node(), file));
+    if (!expect_map(Input(base, file.string(), problems_), 0)) throw InputError(problems_);
+    return base;
+  }
+
+  void refuse_circle(const Input& include, const fs::path& file) const {
+    const auto same = [&](const std::string& other) {
+      std::error_code error;
+      return fs::equivalent(other, file, error);
+    };
+    const auto first = std::find_if(files_.begin(), files_.end(), same);
+    if (first == files_.end()) return;
+    const std::vector<std::string> circle(first, files_.end());
+    include.problem(fmt::format("goes in a circle: {} -> {}; remove one of these includes", fmt::join(circle, " -> "),
+                                circle.front()));
+    throw InputError(problems_);
+  }
+
+  /// A file error says who asked for the file.
+  static std::string content_of_base(const Document& include, const fs::path& file) {
+    try {
+      return content_of(file);
+    } catch (const FileError& error) {
+      throw FileError(Problem{include.file, include.line, include.key, error.what()}.text());
+    }
+  }
+
+  std::vector<Problem>& problems_;
+  std::vector<std::string> files_;
+};
+
+std::string name_of(const Document& item) {
+  const Document* name = item.find("name");
+  return name != nullptr && name->kind == Document::Kind::value ? name->value : "";
+}
+
+bool is_list_of_named(const Document& document) {
+  return document.kind == Document::Kind::list && !document.children.empty() &&
+         std::none_of(document.children.begin(), document.children.end(),
+                      [](const Document& item) { return name_of(item).empty(); });
+}
+
+/// Whether the keys of one map mean nothing to the other.
+bool differ_in_kind(const Document& base, const Document& over) {
+  const auto other_word = [&](const char* word) {
+    const Document* before = base.find(word);
+    const Document* now = over.find(word);
+    return before != nullptr && now != nullptr && before->kind == Document::Kind::value && before->value != now->value;
+  };
+  const auto condition_of = [](const Document& map) {
+    return std::find_if(water_conditions.begin(), water_conditions.end(),
+                        [&](const char* key) { return map.find(key) != nullptr; });
+  };
+  const auto before = condition_of(base);
+  const auto now = condition_of(over);
+  const bool other_condition = before != now && before != water_conditions.end() && now != water_conditions.end();
+  return other_condition || other_word("model") || other_word("type");
+}
+
+Document merged_maps(const Document& base, const Document& over) {
+  Document result = over;
+  result.children = base.children;
+  for (const Document& entry : over.children) {
+    const Document* before = base.find(entry.key);
+    result.set(entry.key, before == nullptr ? entry : merged(*before, entry));
+  }
+  return result;
+}
+
+/// An item whose name is given twice is not merged twice: the reader is to see, and report, the second one.
+Document merged_lists(const Document& base, const Document& over) {
+  Document result = over;
+  result.children = base.children;
+  std::vector<bool> taken(base.children.size());
+  for (const Document& item : over.children) {
+    const auto same_name = [&](const Document& other) { return name_of(other) == name_of(item); };
+    const auto found = std::find_if(base.children.begin(), base.children.end(), same_name);
+    const auto i = static_cast<std::size_t>(found - base.children.begin());
+    if (found == base.children.end() || taken[i]) {
+      result.children.push_back(item);
+    } else {
+      result.children[i] = merged(*found, item);
+      taken[i] = true;
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+Document merged(const Document& base, const Document& over) {
+  const bool maps = base.kind == Document::Kind::map && over.kind == Document::Kind::map;
+  if (maps && !differ_in_kind(base, over)) return merged_maps(base, over);
+  if (is_list_of_named(base) && is_list_of_named(over)) return merged_lists(base, over);
+  return over;
+}
+
+LoadedCase load_case(const fs::path& file, std::vector<Problem>& problems) {
+  Loader loader(problems);
+  Document document = loader.load(file, content_of(file));
+  return {std::move(document), std::move(loader).files()};
+}
+
+}  // namespace slope::couple
