@@ -47,6 +47,9 @@ struct LineStyle {
   std::vector<double> dashes;  ///< lengths drawn and left out in turn (pixels); empty: unbroken
 };
 
+/// Font size over a picture's width: legible when it is printed 84 mm wide.
+inline constexpr double font_share = 0.0225;
+
 enum class Anchor { left, centre, right };
 
 struct TextStyle {

@@ -11,26 +11,29 @@
 namespace slope::tools {
 namespace {
 
-constexpr double font_share = 0.0225;
 constexpr double aspect = 9.0 / 16.0;
+constexpr double stacked_aspect = 0.25;  // of each chart's frame, over the picture's width
+
+/// The styles of curves by their names.
+using Styles = std::map<std::string, LineStyle>;
 
 /// Colour by the letters of the curves' names, dashes by the order within a letter; pale for the largest of all.
-std::vector<LineStyle> line_styles(const std::vector<Curve>& curves, double em) {
+Styles line_styles(const std::vector<std::string>& names, double em) {
   const std::vector<std::vector<double>> dashes{
       {}, {0.7 * em, 0.3 * em}, {0.16 * em, 0.24 * em}, {0.7 * em, 0.25 * em, 0.16 * em, 0.25 * em}};
   std::map<std::string, std::pair<std::size_t, std::size_t>> families;  // colour, members so far
-  std::vector<LineStyle> styles;
-  for (const Curve& curve : curves) {
-    std::string family = curve.name;
+  Styles styles;
+  for (const auto& name : names) {
+    std::string family = name;
     while (family.size() > 1 && std::isdigit(static_cast<unsigned char>(family.back())) != 0) {
       family.pop_back();
     }
     if (family == "largest") {
-      styles.push_back({0.3 * em, {175, 175, 175}, {}});  // broad and pale: often another curve lies on it
+      styles[name] = {0.3 * em, {175, 175, 175}, {}};  // broad and pale: often another curve lies on it
       continue;
     }
     auto& [colour, members] = families.try_emplace(family, families.size(), 0U).first->second;
-    styles.push_back({0.12 * em, curve_colour(colour), dashes[members++ % dashes.size()]});
+    styles[name] = {0.12 * em, curve_colour(colour), dashes[members++ % dashes.size()]};
   }
   return styles;
 }
@@ -46,13 +49,89 @@ std::vector<Pixel> to_pixels(const PlotFrame& frame, const std::vector<double>& 
   return thinned(points, 1.0);
 }
 
-Range values_range(const std::vector<Curve>& curves) {
+/// Every name once, in the order of the charts.
+std::vector<std::string> curve_names(const std::vector<HistoryChart>& charts) {
+  std::vector<std::string> names;
+  for (const auto& chart : charts) {
+    for (const auto& curve : chart.curves) {
+      if (std::ranges::find(names, curve.name) == names.end()) {
+        names.push_back(curve.name);
+      }
+    }
+  }
+  return names;
+}
+
+void draw_curves(Canvas& canvas, const PlotFrame& frame, const HistoryChart& chart, const Styles& styles) {
+  if (frame.y.low < 0.0 && frame.y.high > 0.0) {
+    canvas.stroke({frame.at(frame.x.low, 0.0), frame.at(frame.x.high, 0.0)}, {0.05 * canvas.em(), ink, {}});
+  }
+  for (const Curve& curve : chart.curves) {
+    canvas.stroke(to_pixels(frame, chart.times, curve.values), styles.at(curve.name));
+  }
+}
+
+/// A line at the onset and, above the frame, its time, not further to the left than `leftmost`.
+void draw_onset(Canvas& canvas, const PlotFrame& frame, double onset, double leftmost) {
+  const double em = canvas.em();
+  const Box& box = frame.box;
+  const double x = frame.at(onset, 0.0).x;
+  canvas.stroke({{x, box.bottom}, {x, box.top}}, {0.08 * em, ink, {0.4 * em, 0.3 * em}});
+  const std::string note = "onset of failure, t = " + time_text(onset);
+  const double half = 0.5 * canvas.text_width(note);
+  const double centre = std::max(std::min(x, box.right - half), leftmost + half);
+  canvas.text({centre, box.top + 0.85 * em}, note, {.anchor = Anchor::centre});
+}
+
+constexpr double sample_length = 2.4;  // em
+
+/// Room (pixels) to the right of the frame that the legend needs.
+double legend_room(const Canvas& canvas, const std::vector<std::string>& names) {
+  double widest = 0.0;
+  for (const auto& name : names) {
+    widest = std::max(widest, canvas.text_width(name));
+  }
+  return widest + (sample_length + 2.8) * canvas.em();
+}
+
+void draw_legend(Canvas& canvas, Pixel upper_left, const std::vector<std::string>& names, const Styles& styles) {
+  const double em = canvas.em();
+  double row = upper_left.y - 0.7 * em;
+  for (const auto& name : names) {
+    const double left = upper_left.x + 1.2 * em;
+    canvas.stroke({{left, row}, {left + sample_length * em, row}}, styles.at(name));
+    canvas.text({left + (sample_length + 0.5) * em, row}, name);
+    row -= 1.5 * em;
+  }
+}
+
+Range times_of(const HistoryChart& chart) {
+  return {0.0, chart.times.empty() || chart.times.back() <= 0.0 ? 1.0 : chart.times.back()};
+}
+
+}  // namespace
+
+std::vector<Range> time_ranges(const std::vector<HistoryChart>& charts) {
+  std::vector<Range> ranges;
+  for (const auto& chart : charts) {
+    ranges.push_back(times_of(chart));
+  }
+  const auto [shortest, longest] = std::ranges::minmax_element(ranges, {}, &Range::high);
+  if (longest->high <= longest_ratio * shortest->high) {
+    ranges.assign(ranges.size(), Range(*longest));
+  }
+  return ranges;
+}
+
+Range common_values(const std::vector<HistoryChart>& charts) {
   Range range{0.0, 0.0};
-  for (const Curve& curve : curves) {
-    for (const double value : curve.values) {
-      if (std::isfinite(value)) {
-        range.low = std::min(range.low, value);
-        range.high = std::max(range.high, value);
+  for (const auto& chart : charts) {
+    for (const Curve& curve : chart.curves) {
+      for (const double value : curve.values) {
+        if (std::isfinite(value)) {
+          range.low = std::min(range.low, value);
+          range.high = std::max(range.high, value);
+        }
       }
     }
   }
@@ -62,45 +141,64 @@ Range values_range(const std::vector<Curve>& curves) {
   return range;
 }
 
-}  // namespace
-
 void write_history_chart(const std::filesystem::path& file, int width, const HistoryChart& chart) {
   const double em = font_share * width;
   Canvas canvas(width, static_cast<int>(std::lround(aspect * width)), em);
-
-  double names = 0.0;
-  for (const Curve& curve : chart.curves) {
-    names = std::max(names, canvas.text_width(curve.name));
-  }
-  const double sample = 2.4 * em;
+  const auto names = curve_names({chart});
   const double bottom = room_below(canvas) + 0.4 * em;
   const double top = canvas.height() - (chart.onset ? 3.7 : 2.2) * em;
-  const double right = width - names - sample - 2.8 * em;
+  const double right = width - legend_room(canvas, names);
 
   PlotFrame frame;
-  frame.x = {0.0, chart.times.empty() || chart.times.back() <= 0.0 ? 1.0 : chart.times.back()};
-  const Range values = values_range(chart.curves);
+  frame.x = times_of(chart);
+  const Range values = common_values({chart});
   const Axis y{chart.y_title, round_step(values, (top - bottom) / (2.8 * em))};
   frame.y = widened(values, 0.5 * y.step);
   frame.box = {room_on_the_left(canvas, frame.y, y), bottom, right, top};
   draw_axes(canvas, frame, axis_for("Time t (s)", frame.x, frame.box.width(), 5.0 * em), y, true);
 
-  const auto styles = line_styles(chart.curves, em);
-  for (std::size_t i = 0; i < chart.curves.size(); ++i) {
-    canvas.stroke(to_pixels(frame, chart.times, chart.curves[i].values), styles[i]);
-    const double row = top - (0.7 + 1.5 * static_cast<double>(i)) * em;
-    canvas.stroke({{right + 1.2 * em, row}, {right + 1.2 * em + sample, row}}, styles[i]);
-    canvas.text({right + 1.7 * em + sample, row}, chart.curves[i].name);
-  }
+  const Styles styles = line_styles(names, em);
+  draw_curves(canvas, frame, chart, styles);
+  draw_legend(canvas, {right, top}, names, styles);
   if (chart.onset) {
-    const double x = frame.at(*chart.onset, 0.0).x;
-    canvas.stroke({{x, bottom}, {x, top}}, {0.08 * em, ink, {0.4 * em, 0.3 * em}});
-    const std::string note = "onset of failure, t = " + time_text(*chart.onset);
-    const double half = 0.5 * canvas.text_width(note);
-    const double centre = std::clamp(x, frame.box.left + half, std::max(right - half, frame.box.left + half));
-    canvas.text({centre, top + 0.85 * em}, note, {.anchor = Anchor::centre});
+    draw_onset(canvas, frame, *chart.onset, frame.box.left);
   }
   canvas.fitted_text({frame.box.left, canvas.height() - 1.05 * em}, chart.title, width - frame.box.left - em);
+  canvas.write_png(file);
+}
+
+void write_stacked_histories(const std::filesystem::path& file, int width, const std::vector<HistoryChart>& charts) {
+  const double em = font_share * width;
+  const double panel_height = std::round(stacked_aspect * width);
+  const double bottom = room_below(Canvas(width, 1, em)) + 0.4 * em;
+  const double between = 3.4 * em;  // numbers of the upper chart's time axis, caption of the lower chart
+  const double above = 1.9 * em;
+  const auto count = static_cast<double>(charts.size());
+  Canvas canvas(width, static_cast<int>(bottom + count * panel_height + (count - 1.0) * between + above), em);
+
+  const auto names = curve_names(charts);
+  const Styles styles = line_styles(names, em);
+  const Range values = common_values(charts);
+  Axis y{charts.front().y_title, round_step(values, panel_height / (2.2 * em))};
+  PlotFrame frame;
+  frame.y = widened(values, 0.5 * y.step);
+  const auto times = time_ranges(charts);
+  double top = canvas.height() - above;
+  const double right = width - legend_room(canvas, names);
+  draw_legend(canvas, {right, top}, names, styles);
+  for (std::size_t i = 0; i < charts.size(); ++i) {
+    frame.x = times[i];
+    frame.box = {room_on_the_left(canvas, frame.y, y), top - panel_height, right, top};
+    const bool lowest = i + 1 == charts.size();
+    draw_axes(canvas, frame, axis_for(lowest ? "Time t (s)" : "", frame.x, frame.box.width(), 5.0 * em), y, true);
+    draw_curves(canvas, frame, charts[i], styles);
+    const std::string caption = lettered(i, charts[i].title);
+    canvas.text({frame.box.left, top + 0.85 * em}, caption);
+    if (charts[i].onset) {
+      draw_onset(canvas, frame, *charts[i].onset, frame.box.left + canvas.text_width(caption) + 1.2 * em);
+    }
+    top -= panel_height + between;
+  }
   canvas.write_png(file);
 }
 

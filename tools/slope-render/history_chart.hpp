@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "canvas.hpp"
+#include "plot_frame.hpp"
 
 namespace slope::tools {
 
@@ -26,5 +27,19 @@ struct HistoryChart {
 
 /// @throws couple::FileError if it cannot be written.
 void write_history_chart(const std::filesystem::path& file, int width, const HistoryChart& chart);
+
+/// Charts one above the other, with one legend and one scale of the values for all of them; their times have one scale
+/// too, unless the longest are more than `longest_ratio` times the shortest: then each has its own. A chart's title is
+/// its caption, before which "(a)" is put.
+/// @param charts  at least one, at most 26; the y title is that of the first.
+/// @throws couple::FileError if it cannot be written.
+void write_stacked_histories(const std::filesystem::path& file, int width, const std::vector<HistoryChart>& charts);
+
+inline constexpr double longest_ratio = 5.0;
+
+/// The time scale of each of the charts.
+[[nodiscard]] std::vector<Range> time_ranges(const std::vector<HistoryChart>& charts);
+/// The least range around zero that holds all values of the charts.
+[[nodiscard]] Range common_values(const std::vector<HistoryChart>& charts);
 
 }  // namespace slope::tools

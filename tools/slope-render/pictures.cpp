@@ -4,12 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "contour_picture.hpp"
 #include "history_chart.hpp"
 #include "profile_chart.hpp"
-#include "slope/couple/read_case.hpp"
+#include "run_curves.hpp"
 
 namespace slope::tools {
 namespace {
@@ -49,18 +48,12 @@ std::vector<Moment> standard_moments(const RunFolder& run) {
 }
 
 std::vector<Field> chosen_fields(const std::vector<std::string>& names) {
+  if (names.empty()) {
+    return {field_called("suction"), field_called("deviatoric_strain")};
+  }
   std::vector<Field> fields;
-  for (const auto& name : names.empty() ? std::vector<std::string>{"suction", "deviatoric_strain"} : names) {
-    const auto& known = drawable_fields();
-    const auto found = std::find_if(known.begin(), known.end(), [&name](const auto& f) { return f.name == name; });
-    if (found == known.end()) {
-      std::string all;
-      for (const auto& field : known) {
-        all += (all.empty() ? "" : ", ") + field.name;
-      }
-      throw std::invalid_argument(fmt::format("no field is called \"{}\"; choose from {}", name, all));
-    }
-    fields.push_back(*found);
+  for (const auto& name : names) {
+    fields.push_back(field_called(name));
   }
   return fields;
 }
@@ -82,41 +75,6 @@ void write_contours(const RunFolder& run, const PictureOptions& options, std::ve
       written.push_back(file);
     }
   }
-}
-
-/// The history's columns "<point> <quantity> [unit]" as curves named after their points.
-std::vector<Curve> history_curves(const CsvTable& history, const std::string& quantity) {
-  std::vector<Curve> curves;
-  for (std::size_t c = 0; c < history.names.size(); ++c) {
-    const std::string name = history.names[c].substr(0, history.names[c].find(" ["));
-    const std::string ending = " " + quantity;
-    if (name.ends_with(ending)) {
-      curves.push_back({name.substr(0, name.size() - ending.size()), history.columns[c]});
-    }
-  }
-  return curves;
-}
-
-void scale_curves(std::vector<Curve>& curves, double factor) {
-  for (auto& curve : curves) {
-    for (double& value : curve.values) {
-      value *= factor;
-    }
-  }
-}
-
-/// Metres, centimetres or millimetres, whichever gives handy numbers.
-std::pair<double, std::string> length_unit(const std::vector<Curve>& curves) {
-  double largest = 0.0;
-  for (const auto& curve : curves) {
-    for (const double value : curve.values) {
-      largest = std::max(largest, std::abs(value));
-    }
-  }
-  if (largest >= 0.5) {
-    return {1.0, "m"};
-  }
-  return largest >= 0.02 ? std::pair{100.0, std::string("cm")} : std::pair{1000.0, std::string("mm")};
 }
 
 void write_histories(const RunFolder& run, const PictureOptions& options, std::vector<fs::path>& written) {
@@ -143,33 +101,18 @@ void write_histories(const RunFolder& run, const PictureOptions& options, std::v
 }
 
 void write_profiles(const RunFolder& run, const PictureOptions& options, std::vector<fs::path>& written) {
-  const auto& figures = run.input.figures;
-  if (figures.profile_times.empty()) {
+  if (run.input.figures.profile_times.empty()) {
     return;
   }
-  std::vector<TimedProfile> profiles;
-  for (const double time : figures.profile_times) {
-    const Snapshot& snapshot = nearest_snapshot(run.snapshots, time);
-    TimedProfile profile{time, snapshot.time, {}, {}};
-    profile.computed = suction_profile(read_particles(snapshot.file), run.input.water.unit_weight());
-    if (!figures.profile_reference.empty()) {
-      profile.reference = reference_profile(run.path / figures.profile_reference, time);
-    }
-    profiles.push_back(std::move(profile));
-  }
   const fs::path file = options.folder / "suction_profile.png";
-  write_profile_chart(file, options.width, run.input.title, profiles);
+  write_profile_chart(file, options.width, run.input.title, timed_profiles(run));
   written.push_back(file);
 }
 
 }  // namespace
 
 std::vector<fs::path> write_pictures(const RunFolder& run, const PictureOptions& options) {
-  std::error_code error;
-  fs::create_directories(options.folder, error);
-  if (error) {
-    throw couple::FileError(fmt::format("{}: cannot be created: {}", options.folder.string(), error.message()));
-  }
+  make_folder(options.folder);
   std::vector<fs::path> written;
   write_contours(run, options, written);
   write_histories(run, options, written);

@@ -71,6 +71,10 @@ std::string time_text(double seconds) {
   return fmt::format("{:.{}f} s", tenths, tenths == std::round(tenths) ? 0 : 1);
 }
 
+std::string lettered(std::size_t index, const std::string& caption) {
+  return fmt::format("({}) {}", static_cast<char>('a' + index), caption);
+}
+
 Axis axis_for(const std::string& title, const Range& range, double length, double room_per_tick) {
   const double step = round_step(range, length / room_per_tick);
   return {title, multiples(range, step).size() < 2 ? range.length() : step};

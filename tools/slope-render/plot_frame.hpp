@@ -26,6 +26,8 @@ struct Range {
 [[nodiscard]] double widest_number(const Canvas& canvas, const Range& range, double step);
 /// A time, with a decimal if it is not a whole number: "459.1 s".
 [[nodiscard]] std::string time_text(double seconds);
+/// A caption with "(a) ", "(b) ", ... before it.
+[[nodiscard]] std::string lettered(std::size_t index, const std::string& caption);
 
 /// A rectangle of a picture with axes: maps data to pixels.
 struct PlotFrame {

@@ -18,7 +18,6 @@
 namespace slope::tools {
 namespace {
 
-constexpr double font_share = 0.0225;
 constexpr double aspect = 0.72;
 constexpr double ring_radius = 0.24;  // em
 constexpr std::string_view reference_prefix = "suction_head_m_t";

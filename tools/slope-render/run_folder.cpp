@@ -11,18 +11,27 @@
 namespace slope::tools {
 namespace {
 
-/// The onset that the summary tells; of a run that was cut short, the snapshot's.
-std::optional<double> onset_time(const std::filesystem::path& summary, const std::vector<Snapshot>& snapshots) {
-  if (std::filesystem::is_regular_file(summary)) {
-    try {
-      const auto time = YAML::LoadFile(summary.string())["onset"]["time_s"];  // JSON is YAML
-      return time.IsDefined() && !time.IsNull() ? std::optional(time.as<double>()) : std::nullopt;
-    } catch (const YAML::Exception& error) {
-      throw couple::FileError(fmt::format("{}: cannot be read: {}", summary.string(), error.what()));
-    }
+/// What the summary tells; of a run that was cut short before it wrote one, the onset is the snapshot's.
+void read_summary(const std::filesystem::path& file, RunFolder& run) {
+  if (!std::filesystem::is_regular_file(file)) {
+    const auto onset = std::ranges::find(run.snapshots, "onset", &Snapshot::label);
+    run.onset = onset != run.snapshots.end() ? std::optional(onset->time) : std::nullopt;
+    return;
   }
-  const auto found = std::find_if(snapshots.begin(), snapshots.end(), [](const auto& s) { return s.label == "onset"; });
-  return found != snapshots.end() ? std::optional(found->time) : std::nullopt;
+  try {
+    YAML::Node summary = YAML::LoadFile(file.string());  // JSON is YAML
+    const auto time = summary["onset"]["time_s"];
+    run.onset = time.IsDefined() && !time.IsNull() ? std::optional(time.as<double>()) : std::nullopt;
+    run.case_file = summary["case"].as<std::string>("");
+    const auto reason = summary["end"]["reason"].as<std::string>("");
+    run.complete = reason == "time" || reason == "displacement" || reason == "after_onset";
+    const YAML::Node zone = summary["failure_zone"]["at_end"];
+    if (zone.IsDefined() && zone.IsMap()) {
+      run.zone = ZoneSize{zone["length_m"].as<double>(), zone["height_m"].as<double>()};
+    }
+  } catch (const YAML::Exception& error) {
+    throw couple::FileError(fmt::format("{}: cannot be read: {}", file.string(), error.what()));
+  }
 }
 
 }  // namespace
@@ -39,8 +48,16 @@ RunFolder read_run_folder(const std::filesystem::path& path) {
   }
   run.input = couple::read_case(path / "case.yaml");
   run.history = read_csv(path / "history.csv");
-  run.onset = onset_time(path / "summary.json", run.snapshots);
+  read_summary(path / "summary.json", run);
   return run;
+}
+
+void make_folder(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) {
+    throw couple::FileError(fmt::format("{}: cannot be created: {}", folder.string(), error.message()));
+  }
 }
 
 const Snapshot& nearest_snapshot(const std::vector<Snapshot>& snapshots, double time) {

@@ -11,6 +11,12 @@
 
 namespace slope::tools {
 
+/// Size of a failure zone.
+struct ZoneSize {
+  double length = 0.0;  ///< horizontally (m)
+  double height = 0.0;  ///< (m)
+};
+
 /// What slope-sim left in an output folder.
 struct RunFolder {
   std::filesystem::path path;
@@ -18,11 +24,18 @@ struct RunFolder {
   std::vector<Snapshot> snapshots;  ///< at least one
   CsvTable history;                 ///< columns "name [unit]", the first is the time (s)
   std::optional<double> onset;      ///< of failure (s)
+  std::string case_file;            ///< that was run, as the summary tells; empty without one
+  bool complete = false;            ///< the run came to the end that its case asks for
+  std::optional<ZoneSize> zone;     ///< failure zone at the end, if the summary tells it
 };
 
-/// Reads case.yaml, particles.pvd, history.csv and, where the run came to its end, summary.json.
+/// Reads case.yaml, particles.pvd, history.csv and, if it is there, summary.json.
 /// @throws couple::FileError if one is missing or cannot be read, couple::InputError if case.yaml is no case.
 [[nodiscard]] RunFolder read_run_folder(const std::filesystem::path& path);
+
+/// Creates a folder for pictures, if need be.
+/// @throws couple::FileError if that is impossible.
+void make_folder(const std::filesystem::path& folder);
 
 /// The snapshot nearest to a time.
 [[nodiscard]] const Snapshot& nearest_snapshot(const std::vector<Snapshot>& snapshots, double time);

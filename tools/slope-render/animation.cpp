@@ -1,0 +1,31 @@
+#include "animation.hpp"
+
+#include "contour_picture.hpp"
+
+namespace slope::tools {
+
+FrameSequence write_frames(const RunFolder& run, const std::string& field, const std::filesystem::path& folder,
+                           int width) {
+  const Field& drawn = field_called(field);
+  make_folder(folder);
+  std::vector<vtkSmartPointer<vtkPolyData>> particles;
+  for (const auto& snapshot : run.snapshots) {
+    particles.push_back(read_particles(snapshot.file));
+  }
+  const ColourScale scale = common_scale(drawn, particles);
+  FrameSequence frames{folder, field, 0};
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    const auto& snapshot = run.snapshots[i];
+    const bool failed = run.onset && snapshot.time >= *run.onset;
+    const std::string caption = "t = " + time_text(snapshot.time) + (failed ? ", failing" : "");
+    write_contour_picture(
+        frames.frame(frames.count++), width,
+        {particles[i], drawn, scale, run.input.domain, run.input.failure_zone_strain, run.input.title, caption});
+  }
+  for (int i = frames.count; std::filesystem::exists(frames.frame(i)); ++i) {
+    std::filesystem::remove(frames.frame(i));
+  }
+  return frames;
+}
+
+}  // namespace slope::tools

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <filesystem>
+
+#include "encoder.hpp"
+#include "run_folder.hpp"
+
+namespace slope::tools {
+
+/// Draws a field of every snapshot as <field>_0000.png, <field>_0001.png, ..., all with one colour scale and of one
+/// size, both sides of which are even numbers of pixels, as video encoders ask for.
+/// @param folder  for the pictures; created if need be. Frames of an earlier, longer sequence are removed.
+/// @throws couple::FileError if a file cannot be read or written; std::invalid_argument for an unknown field.
+FrameSequence write_frames(const RunFolder& run, const std::string& field, const std::filesystem::path& folder,
+                           int width);
+
+}  // namespace slope::tools

@@ -1,0 +1,56 @@
+#include "run_curves.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace slope::tools {
+
+std::vector<Curve> history_curves(const CsvTable& history, const std::string& quantity) {
+  std::vector<Curve> curves;
+  for (std::size_t c = 0; c < history.names.size(); ++c) {
+    const std::string name = history.names[c].substr(0, history.names[c].find(" ["));
+    const std::string ending = " " + quantity;
+    if (name.ends_with(ending)) {
+      curves.push_back({name.substr(0, name.size() - ending.size()), history.columns[c]});
+    }
+  }
+  return curves;
+}
+
+void scale_curves(std::vector<Curve>& curves, double factor) {
+  for (auto& curve : curves) {
+    for (double& value : curve.values) {
+      value *= factor;
+    }
+  }
+}
+
+std::pair<double, std::string> length_unit(const std::vector<Curve>& curves) {
+  double largest = 0.0;
+  for (const auto& curve : curves) {
+    for (const double value : curve.values) {
+      largest = std::max(largest, std::abs(value));
+    }
+  }
+  if (largest >= 0.5) {
+    return {1.0, "m"};
+  }
+  return largest >= 0.02 ? std::pair{100.0, std::string("cm")} : std::pair{1000.0, std::string("mm")};
+}
+
+std::vector<TimedProfile> timed_profiles(const RunFolder& run) {
+  const auto& figures = run.input.figures;
+  std::vector<TimedProfile> profiles;
+  for (const double time : figures.profile_times) {
+    const Snapshot& snapshot = nearest_snapshot(run.snapshots, time);
+    TimedProfile profile{time, snapshot.time, {}, {}};
+    profile.computed = suction_profile(read_particles(snapshot.file), run.input.water.unit_weight());
+    if (!figures.profile_reference.empty()) {
+      profile.reference = reference_profile(run.path / figures.profile_reference, time);
+    }
+    profiles.push_back(std::move(profile));
+  }
+  return profiles;
+}
+
+}  // namespace slope::tools

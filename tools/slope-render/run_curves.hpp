@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "history_chart.hpp"
+#include "profile_chart.hpp"
+#include "run_folder.hpp"
+
+namespace slope::tools {
+
+/// The history's columns "<point> <quantity> [unit]" as curves named after their points.
+[[nodiscard]] std::vector<Curve> history_curves(const CsvTable& history, const std::string& quantity);
+
+void scale_curves(std::vector<Curve>& curves, double factor);
+
+/// Metres, centimetres or millimetres, whichever gives handy numbers: how many of them are a metre, and their name.
+[[nodiscard]] std::pair<double, std::string> length_unit(const std::vector<Curve>& curves);
+
+/// The suction profiles that the case asks for, with their reference.
+/// @throws couple::FileError if a file cannot be read.
+[[nodiscard]] std::vector<TimedProfile> timed_profiles(const RunFolder& run);
+
+}  // namespace slope::tools
