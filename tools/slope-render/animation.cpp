@@ -17,7 +17,7 @@ FrameSequence write_frames(const RunFolder& run, const std::string& field, const
   for (std::size_t i = 0; i < particles.size(); ++i) {
     const auto& snapshot = run.snapshots[i];
     const bool failed = run.onset && snapshot.time >= *run.onset;
-    const std::string caption = "t = " + time_text(snapshot.time) + (failed ? ", failing" : "");
+    const std::string caption = "t = " + time_text(snapshot.time) + (failed ? ", after the onset of failure" : "");
     write_contour_picture(
         frames.frame(frames.count++), width,
         {particles[i], drawn, scale, run.input.domain, run.input.failure_zone_strain, run.input.title, caption});

@@ -8,7 +8,7 @@
 namespace slope::tools {
 
 /// Draws a field of every snapshot as <field>_0000.png, <field>_0001.png, ..., all with one colour scale and of one
-/// size, both sides of which are even numbers of pixels, as video encoders ask for.
+/// size.
 /// @param folder  for the pictures; created if need be. Frames of an earlier, longer sequence are removed.
 /// @throws couple::FileError if a file cannot be read or written; std::invalid_argument for an unknown field.
 FrameSequence write_frames(const RunFolder& run, const std::string& field, const std::filesystem::path& folder,

@@ -17,23 +17,32 @@ constexpr double stacked_aspect = 0.25;  // of each chart's frame, over the pict
 /// The styles of curves by their names.
 using Styles = std::map<std::string, LineStyle>;
 
-/// Colour by the letters of the curves' names, dashes by the order within a letter; pale for the largest of all.
+/// "B" of "B1".
+std::string family_of(std::string name) {
+  while (name.size() > 1 && std::isdigit(static_cast<unsigned char>(name.back())) != 0) {
+    name.pop_back();
+  }
+  return name;
+}
+
+/// Colour by the letters of the curves' names, dashes by the order within a letter; if there is but one letter, each
+/// curve has a colour. Pale for the largest of all.
 Styles line_styles(const std::vector<std::string>& names, double em) {
   const std::vector<std::vector<double>> dashes{
       {}, {0.7 * em, 0.3 * em}, {0.16 * em, 0.24 * em}, {0.7 * em, 0.25 * em, 0.16 * em, 0.25 * em}};
+  const bool one_family =
+      std::ranges::all_of(names, [&names](const auto& name) { return family_of(name) == family_of(names.front()); });
   std::map<std::string, std::pair<std::size_t, std::size_t>> families;  // colour, members so far
   Styles styles;
   for (const auto& name : names) {
-    std::string family = name;
-    while (family.size() > 1 && std::isdigit(static_cast<unsigned char>(family.back())) != 0) {
-      family.pop_back();
-    }
+    const std::string family = family_of(name);
     if (family == "largest") {
       styles[name] = {0.3 * em, {175, 175, 175}, {}};  // broad and pale: often another curve lies on it
       continue;
     }
     auto& [colour, members] = families.try_emplace(family, families.size(), 0U).first->second;
-    styles[name] = {0.12 * em, curve_colour(colour), dashes[members++ % dashes.size()]};
+    styles[name] = {0.12 * em, curve_colour(one_family ? members : colour), dashes[members % dashes.size()]};
+    ++members;
   }
   return styles;
 }

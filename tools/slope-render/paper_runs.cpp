@@ -16,7 +16,8 @@ bool is_paper_case(const std::string& name) {
 }  // namespace
 
 std::string paper_case_of(const RunFolder& run) {
-  const std::string folder = std::filesystem::weakly_canonical(run.path / ".").filename().string();
+  const std::string folder =
+      std::filesystem::absolute(run.path / "").lexically_normal().parent_path().filename().string();
   if (is_paper_case(folder)) {
     return folder;
   }

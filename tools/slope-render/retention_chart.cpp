@@ -28,7 +28,7 @@ std::vector<Pixel> curve_pixels(const PlotFrame& frame, const RetentionCurve& cu
 
 /// A short bar across the end of what occurs.
 void draw_end(Canvas& canvas, Pixel where, Colour colour) {
-  const double half = 0.55 * canvas.em();
+  const double half = 0.35 * canvas.em();
   canvas.stroke({{where.x, where.y - half}, {where.x, where.y + half}}, {0.16 * canvas.em(), colour, {}});
 }
 

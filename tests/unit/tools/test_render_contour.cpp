@@ -9,15 +9,6 @@
 namespace slope::tools::test {
 namespace {
 
-Field field_called(const std::string& name) {
-  for (const auto& field : drawable_fields()) {
-    if (field.name == name) {
-      return field;
-    }
-  }
-  throw std::invalid_argument(name);
-}
-
 ContourPanel panel_of(vtkPolyData* particles, const std::string& field) {
   ContourPanel panel;
   panel.particles = particles;

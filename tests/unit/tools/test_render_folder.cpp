@@ -8,28 +8,12 @@
 #include "pictures.hpp"
 #include "scratch_folder.hpp"
 #include "slope/couple/read_case.hpp"
-#include "synthetic_slope.hpp"
+#include "synthetic_run.hpp"
 
 namespace slope::tools::test {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// What slope-sim would leave of a slope that failed.
-void fill_run_folder(const fs::path& folder) {
-  fs::create_directories(folder);
-  std::ofstream(folder / "case.yaml") << couple::resolved_yaml(
-      couple::read_case(fs::path(SLOPE_CASES) / "paper/slope-w2.yaml"));
-  ParticleFileSeries series(folder);
-  series.write(synthetic_slope(0.0), "start");
-  series.write(synthetic_slope(300.0, 0.0, 0.7));
-  series.write(synthetic_slope(459.1, 0.05, 1.0), "onset");
-  series.write(synthetic_slope(640.0, 0.9, 1.8), "end");
-  std::ofstream(folder / "history.csv")
-      << "time [s],clock factor [-],largest displacement [m],A1 displacement [m],A1 suction [Pa]\n"
-         "0,1,0,0,20000\n300,50,0.001,0.0005,9000\n640,1,0.9,0.7,-300\n";
-  std::ofstream(folder / "summary.json") << R"({"onset": {"time_s": 459.1, "criterion": "x"}, "end": {"time_s": 640}})";
-}
 
 std::vector<std::string> names_of(const std::vector<fs::path>& files) {
   std::vector<std::string> names;
@@ -41,10 +25,15 @@ std::vector<std::string> names_of(const std::vector<fs::path>& files) {
 
 TEST(RunFolder, GivesTheStandardPictures) {
   const ScratchFolder scratch;
-  fill_run_folder(scratch.path() / "run");
+  write_slope_run(scratch.path() / "run");
   const auto run = read_run_folder(scratch.path() / "run");
   EXPECT_EQ(run.snapshots.size(), 4U);
   EXPECT_EQ(run.onset, 459.1);
+  EXPECT_TRUE(run.complete);
+  EXPECT_EQ(run.case_file, "cases/some.yaml");
+  ASSERT_TRUE(run.zone.has_value());
+  EXPECT_EQ(run.zone->length, 12.3);
+  EXPECT_EQ(run.zone->height, 6.8);
 
   const auto written = write_pictures(run, {run.path / "figures", 400, {}, {}});
   EXPECT_EQ(names_of(written),
@@ -58,7 +47,7 @@ TEST(RunFolder, GivesTheStandardPictures) {
 
 TEST(RunFolder, DrawsFieldsAndTimesThatAreAskedFor) {
   const ScratchFolder scratch;
-  fill_run_folder(scratch.path());
+  write_slope_run(scratch.path());
   const auto run = read_run_folder(scratch.path());
   EXPECT_EQ(nearest_snapshot(run.snapshots, 290.0).time, 300.0);
   const auto written = write_pictures(run, {scratch.path() / "out", 400, {290.0}, {"saturation"}});
@@ -73,12 +62,13 @@ TEST(RunFolder, DrawsFieldsAndTimesThatAreAskedFor) {
 
 TEST(RunFolder, OfAKilledRunCanBeRead) {
   const ScratchFolder scratch;
-  fill_run_folder(scratch.path());
+  write_slope_run(scratch.path());
   fs::remove(scratch.path() / "summary.json");
   std::ofstream(scratch.path() / "history.csv", std::ios::app) << "641,1,0.9";
   const auto run = read_run_folder(scratch.path());
   EXPECT_EQ(run.onset, 459.1) << "from the snapshot";
-  EXPECT_EQ(run.history.columns.front().size(), 3U) << "the broken row is left out";
+  EXPECT_FALSE(run.complete);
+  EXPECT_EQ(run.history.columns.front().size(), 4U) << "the broken row is left out";
 }
 
 TEST(RunFolder, SaysWhatIsMissing) {
@@ -93,7 +83,7 @@ TEST(RunFolder, SaysWhatIsMissing) {
   };
   EXPECT_NE(message(scratch.path() / "nowhere").find("nowhere: no such folder"), std::string::npos);
   EXPECT_NE(message(scratch.path()).find("particles.pvd: not found"), std::string::npos);
-  fill_run_folder(scratch.path());
+  write_slope_run(scratch.path());
   fs::remove(scratch.path() / "history.csv");
   EXPECT_NE(message(scratch.path()).find("history.csv"), std::string::npos);
 }
