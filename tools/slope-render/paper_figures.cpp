@@ -214,6 +214,7 @@ void write_suctions(const fs::path& file, int width, const std::vector<NamedRun>
   write_stacked_histories(file, width, charts);
 }
 
+/// Fig. 4.
 void write_column(const fs::path& file, int width, const std::vector<NamedRun>& runs) {
   const RunFolder& run = *runs.front().run;
   if (run.input.figures.profile_times.empty()) {
@@ -222,6 +223,7 @@ void write_column(const fs::path& file, int width, const std::vector<NamedRun>& 
   write_profile_chart(file, width, run.input.title, timed_profiles(run));
 }
 
+/// A figure, the cases that it needs and what draws it.
 struct PaperFigure {
   std::string name;
   CaseNames cases;
