@@ -2,8 +2,8 @@
 
 #include <vector>
 
+#include "actions.hpp"
 #include "mixture.hpp"
-#include "semi_implicit_scheme.hpp"
 #include "slope/couple/case.hpp"
 #include "slope/couple/geometry.hpp"
 

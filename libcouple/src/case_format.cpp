@@ -106,6 +106,10 @@ Format<Case> initial_format() {
 
 Format<Case> coupling_format() {
   return Record<Case>()
+      .optional("scheme", &Case::scheme,
+                choice<Scheme>({{"semi_implicit", Scheme::semi_implicit}, {"explicit", Scheme::explicit_two_pass}}),
+                "semi_implicit: stiff water at the soil's own time step; explicit: the paper's own cycle (section 2.6) "
+                "with its two-pass operator, for reference on short runs")
       .optional("skeleton", &Case::skeleton,
                 choice<Skeleton>({{"deformable", Skeleton::deformable}, {"rigid", Skeleton::rigid}}),
                 "whether the pore water feels the volume change of the skeleton")

@@ -10,7 +10,7 @@ namespace {
 // In the soil's own time; T is the first period of the layer.
 constexpr double block_share = 0.05;  // T between two judgements of the factor
 constexpr double growth_time = 3.0;   // T in which the factor grows by e at most: a slide needs time to follow
-constexpr double shrinkage = 0.7;     // of the factor after a lively block
+constexpr double shrinkage = 0.8;     // of the factor after a lively block
 
 }  // namespace
 
@@ -65,7 +65,7 @@ void ClockControl::observe(double time_step, std::span<const double> ux, std::sp
   const double pressure_ratio = pressure_change / scale_.overburden;
   if (inertia > limits_.inertia_limit || pressure_ratio > 2.0 * limits_.inertia_limit) {
     factor_ *= shrinkage;
-  } else if (inertia < 0.5 * limits_.inertia_limit && pressure_ratio < limits_.inertia_limit) {
+  } else if (inertia < 0.65 * limits_.inertia_limit && pressure_ratio < 1.3 * limits_.inertia_limit) {
     factor_ *= std::exp(block_time_ / (growth_time * scale_.period()));
   }
   factor_ = std::clamp(factor_, 1.0, limits_.maximum_factor);

@@ -1,23 +1,20 @@
 #pragma once
 
-#include <span>
 #include <vector>
 
+#include "actions.hpp"
 #include "mixture.hpp"
-#include "slope/seepage/boundary.hpp"
 
 namespace slope::couple {
-
-/// What acts from outside during one step.
-struct Actions {
-  std::vector<solid::ParticleTraction> tractions;
-  seepage::Boundary water;
-};
 
 /// The default scheme: one loop, one clock, the soil explicit, the water implicit, and the volume change that links
 /// them inside the pressure step, so that stiff water is stable at the soil's own time step.
 class SemiImplicitScheme {
  public:
+  [[nodiscard]] static double stable_step(const Mixture& mixture, double courant_number) {
+    return mixture.soil.stable_step(courant_number, mixture.water_mass());
+  }
+
   explicit SemiImplicitScheme(double pressure_tolerance) : pressure_tolerance_(pressure_tolerance) {}
 
   /// One step.

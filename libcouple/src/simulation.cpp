@@ -10,7 +10,7 @@
 #include "failure.hpp"
 #include "initial_state.hpp"
 #include "mixture.hpp"
-#include "semi_implicit_scheme.hpp"
+#include "scheme.hpp"
 #include "slope/couple/read_case.hpp"
 #include "slope/solid/tensor.hpp"
 
@@ -69,10 +69,10 @@ struct Simulation::State {
         mixture(input, particles, initial_pressure(input, particles), threads),
         scale(scale_of(input, particles, mixture)),
         conditions(input, particles),
-        clock(input.clock, scale, conditions.change_times()),
-        scheme(input.numerics.pressure_tolerance),
+        scheme(make_scheme(input)),
+        clock(clock_limits(scheme, input, mixture), scale, conditions.change_times()),
         surface(particles.x, particles.y, particles_at({}, particles), particles.spacing),
-        time_step(mixture.soil.stable_step(input.numerics.courant_number, mixture.water_mass())),
+        time_step(stable_step(scheme, mixture, input.numerics.courant_number)),
         snapshot_times(input.output.snapshots) {
     for (const VerificationPoint& point : input.points) followed.push_back(nearest_particle(particles, point.position));
     for (const double mark : displacement_marks) result.displacement_times.push_back({mark, {}});
@@ -109,8 +109,8 @@ struct Simulation::State {
   Mixture mixture;
   SlopeScale scale;
   BoundaryConditions conditions;
+  AnyScheme scheme;
   ClockControl clock;
-  SemiImplicitScheme scheme;
   GroundSurface surface;
   double time_step;
   Actions actions;
@@ -149,7 +149,7 @@ void Simulation::State::step() {
   // the last step up to what is due ends there to the last digit
   const double after = time + (1.0 + sliver) * water_step > next ? next : time + water_step;
   conditions.apply(after, mixture, actions);
-  const auto report = scheme.step(mixture, actions, time_step, clock_factor);
+  const auto report = std::visit([&](auto& s) { return s.step(mixture, actions, time_step, clock_factor); }, scheme);
   time = after;
   ++steps;
   pressure_iterations += static_cast<std::size_t>(report.iterations);
@@ -218,7 +218,8 @@ void Simulation::initialise() {
   s.conditions.remember_pressures(s.mixture.water.pressure());
   if (s.input.initial_stress == InitialStress::self_weight) {
     Actions before;
-    s.result.initial_unbalanced_ratio = find_self_weight_stress(s.mixture, before, s.scale, s.time_step);
+    const double step = s.mixture.soil.stable_step(s.input.numerics.courant_number, s.mixture.water_mass());
+    s.result.initial_unbalanced_ratio = find_self_weight_stress(s.mixture, before, s.scale, step);
   }
   s.first_storage = s.mixture.water.stored_water();
   const std::size_t n = s.particles.x.size();

@@ -22,9 +22,8 @@ PoreFlow::PoreFlow(std::vector<Soil> soils, const Water& water, std::span<const 
       pressure_(pressure.begin(), pressure.end()) {
   const std::size_t n = pressure_.size();
   for (std::size_t p = 0; p < n; ++p) particles_of_soil_[soil_[p]].push_back(static_cast<std::uint32_t>(p));
-  for (auto* v :
-       {&suction_, &saturation_, &pore_stress_, &capacity_, &conductivity_, &head_, &content_, &defect_, &change_,
-        &stress_change_, &last_rate_, &storage_, &right_side_, &diagonal_, &outflow_, &work_, &work2_}) {
+  for (auto* v : {&suction_, &saturation_, &pore_stress_, &capacity_, &conductivity_, &head_, &content_, &defect_,
+                  &change_, &stress_change_, &storage_, &right_side_, &diagonal_, &outflow_, &work_, &work2_}) {
     v->assign(n, 0.0);
   }
   is_held_.assign(n, 0);
@@ -93,15 +92,19 @@ double PoreFlow::face_inflow(const FacePressure& face, double head) const {
 }
 
 void PoreFlow::finish(double time_step, const Skeleton& skeleton, const Boundary& boundary) {
-  const std::size_t n = pressure_.size();
   const double inverse_weight = 1.0 / water_.unit_weight();
   // the flow of the step, at the conductivities and positions for which it was solved
-  for (std::size_t p = 0; p < n; ++p) {
+  for (std::size_t p = 0; p < pressure_.size(); ++p) {
     head_[p] += change_[p] * inverse_weight;
     pressure_[p] += change_[p];
   }
   operator_.apply(head_, outflow_);
-  inflow_.resize(boundary.count, 0.0);
+  take_in_boundary_flow(boundary);
+  book(time_step, skeleton, boundary);
+}
+
+// Takes what comes in by faces and inflows off the particles' outflow, and notes it by boundary.
+void PoreFlow::take_in_boundary_flow(const Boundary& boundary) {
   inflow_rate_.assign(boundary.count, 0.0);
   for (const FacePressure& face : boundary.faces) {
     const double rate = face_inflow(face, head_[face.particle]);
@@ -112,8 +115,12 @@ void PoreFlow::finish(double time_step, const Skeleton& skeleton, const Boundary
     outflow_[inflow.particle] -= inflow.rate;
     inflow_rate_[inflow.boundary] += inflow.rate;
   }
+}
+
+// Evaluates the soil at the new pressure and books the water of the step, given the particles' outflow.
+void PoreFlow::book(double time_step, const Skeleton& skeleton, const Boundary& boundary) {
   evaluate_soil();
-  for (std::size_t p = 0; p < n; ++p) {
+  for (std::size_t p = 0; p < pressure_.size(); ++p) {
     const double content = water_of(p, skeleton);
     defect_[p] += content_[p] - content - time_step * outflow_[p];
     content_[p] = content;
@@ -122,8 +129,41 @@ void PoreFlow::finish(double time_step, const Skeleton& skeleton, const Boundary
     inflow_rate_[held.boundary] -= defect_[held.particle] / time_step;
     defect_[held.particle] = 0.0;
   }
+  inflow_.resize(boundary.count, 0.0);
   for (std::size_t b = 0; b < boundary.count; ++b) inflow_[b] += time_step * inflow_rate_[b];
   check();
+}
+
+void PoreFlow::advance_explicitly(double time_step, const Skeleton& skeleton, std::span<const double> vx,
+                                  std::span<const double> vy, const Boundary& boundary) {
+  const std::size_t n = pressure_.size();
+  if (!two_pass_) two_pass_.emplace(settings_.spacing, settings_.smoothing_ratio, settings_.walls);
+  wx_.resize(n);
+  wy_.resize(n);
+  two_pass_->update(skeleton);
+  find_head(skeleton);
+  two_pass_->darcy_velocity(head_, conductivity_, wx_, wy_);
+  two_pass_->divergence(wx_, wy_, outflow_);
+  two_pass_->divergence(vx, vy, work_);
+  for (std::size_t p = 0; p < n; ++p) outflow_[p] *= skeleton.volume[p];
+  take_in_boundary_flow(boundary);
+  for (std::size_t p = 0; p < n; ++p) {
+    const double storage = skeleton.porosity[p] * (saturation_[p] / water_.bulk_modulus + capacity_[p]);
+    change_[p] = -time_step / storage * (outflow_[p] / skeleton.volume[p] + saturation_[p] * work_[p]);
+  }
+  for (const HeldPressure& held : boundary.held) change_[held.particle] = held.pressure - pressure_[held.particle];
+  for (std::size_t p = 0; p < n; ++p) pressure_[p] += change_[p];
+  book(time_step, skeleton, boundary);
+}
+
+double PoreFlow::explicit_step(const Skeleton& skeleton) const {
+  double shortest = std::numeric_limits<double>::infinity();
+  for (std::size_t p = 0; p < pressure_.size(); ++p) {
+    const double diffusivity =
+        soils_[soil_[p]].hydraulic_conductivity * water_.bulk_modulus / (skeleton.porosity[p] * water_.unit_weight());
+    shortest = std::min(shortest, settings_.spacing * settings_.spacing / diffusivity);
+  }
+  return shortest;
 }
 
 void PoreFlow::check() const {

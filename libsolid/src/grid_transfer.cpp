@@ -98,6 +98,7 @@ void MaterialPointMethod::scatter(const PoreState& pore) {
   const std::size_t columns = std::size_t(grid_.node_columns());
   const double h = grid_.cell_size;
   const bool affine = settings_.flip_fraction < 0.0;
+  const bool own_pressure = !settings_.averages_pressure && !pore.pressure.empty();
   std::fill(node_.begin(), node_.end(), Node{Array2d::Zero(), Array2d::Zero(), 0.0});
   for_each_cell([&](std::size_t c) {
     for (std::size_t s = cells_[c].particle; s < cells_[c + 1].particle; ++s) {
@@ -116,8 +117,9 @@ void MaterialPointMethod::scatter(const PoreState& pore) {
         along_row = h * cx;
         along_column = h * cy;
       }
-      const Array2d stress_x = -volume * Array2d(particles_.sxx[p], particles_.sxy[p]);
-      const Array2d stress_y = -volume * Array2d(particles_.sxy[p], particles_.syy[p]);
+      const double pressure = own_pressure ? pore.pressure[p] : 0.0;
+      const Array2d stress_x = -volume * Array2d(particles_.sxx[p] - pressure, particles_.sxy[p]);
+      const Array2d stress_y = -volume * Array2d(particles_.sxy[p], particles_.syy[p] - pressure);
       const Array2d weight(0.0, -mass * settings_.gravity);
       Node* row = node_.data() + w.node;
       for (int b = 0; b < 3; ++b, row += columns) {

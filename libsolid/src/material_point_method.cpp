@@ -91,7 +91,7 @@ void MaterialPointMethod::predict(double dt, const PoreState& pore, std::span<co
     add_tractions<Linear>(tractions);
   }
   fold_walls();
-  if (!pore.pressure.empty()) {
+  if (settings_.averages_pressure && !pore.pressure.empty()) {
     find_pressure_force(pore.pressure);
     for (std::size_t i = 0; i < node_.size(); ++i) node_[i].force += pressure_force_[i];
   }

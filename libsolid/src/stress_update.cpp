@@ -27,7 +27,7 @@ void MaterialPointMethod::update_stress(double dt, std::span<const double> sucti
       particles_.exy[p] += dxy;
     }
     if (mode.moves) {
-      const double strain = dt * cell_value_[cell_of_[p]];
+      const double strain = settings_.averages_pressure ? dt * cell_value_[cell_of_[p]] : dxx + dyy;
       particles_.volume[p] *= 1.0 + strain;
       particles_.porosity[p] = 1.0 - (1.0 - particles_.porosity[p]) / (1.0 + strain);
     }

@@ -5,6 +5,7 @@
 
 #include "animation.hpp"
 #include "paper_figures.hpp"
+#include "paper_report.hpp"
 #include "pictures.hpp"
 #include "render_window.hpp"
 #include "slope/couple/read_case.hpp"
@@ -37,7 +38,11 @@ int draw_run(const fs::path& folder, const std::string& out, PictureOptions opti
 }
 
 int draw_paper(const std::vector<std::string>& folders, const std::string& out, int width) {
-  const auto figures = write_paper_figures(read_paper_runs({folders.begin(), folders.end()}), out, width);
+  const PaperRuns runs = read_paper_runs({folders.begin(), folders.end()});
+  const auto figures = write_paper_figures(runs, out, width);
+  const fs::path report = fs::path(out) / "report.md";
+  write_paper_report(runs, report);
+  std::puts(report.c_str());
   for (const auto& file : figures.written) {
     std::puts(file.c_str());
   }
@@ -89,7 +94,8 @@ int main(int argc, char** argv) {
                     ->delimiter(',');
   auto* paper_flag =
       app.add_flag("--paper", paper,
-                   "Draws the paper's Figs. 4 and 6 to 18 from the runs of its cases, which are known by the "
+                   "Draws the paper's Figs. 4 and 6 to 18, and judges its claims in report.md, from the runs of its "
+                   "cases, which are known by the "
                    "names of their folders: liakopoulos, slope-w1 to slope-w3, slope-h1 to slope-h3; names "
                    "what it leaves out")
           ->needs(out_option)

@@ -2,12 +2,14 @@
 
 #include <cmath>
 #include <fstream>
+#include <iterator>
 #include <stdexcept>
 
 #include "history_chart.hpp"
 #include "mesh_picture.hpp"
 #include "panel_picture.hpp"
 #include "paper_figures.hpp"
+#include "paper_report.hpp"
 #include "picture_file.hpp"
 #include "retention_chart.hpp"
 #include "scratch_folder.hpp"
@@ -52,6 +54,37 @@ TEST(PaperFigures, AreAllWrittenWhenEveryRunIsThere) {
   for (const auto& file : figures.written) {
     EXPECT_EQ(PictureFile(file).width(), width) << file;
   }
+}
+
+std::string text_of(const fs::path& file) {
+  std::ifstream in(file);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+// A summary that tells the time of the onset and the suction left, and nothing else.
+void write_summary(const fs::path& folder, double onset, double suction_left) {
+  std::ofstream(folder / "summary.json") << R"({"end": {"reason": "displacement"}, "onset": {"time_s": )" << onset
+                                         << R"(}, "failure_zone": {"at_end": {"length_m": 1, "height_m": 1, )"
+                                         << R"("largest_suction_Pa": )" << suction_left << "}}}";
+}
+
+TEST(PaperReport, JudgesByTheSummaries) {
+  const ScratchFolder scratch;
+  const auto folders = slope_runs(scratch.path(), {"slope-w1", "slope-w2", "slope-w3"});
+  const auto report = [&](double third_onset) {
+    write_summary(folders[0], 100.0, 61000.0);
+    write_summary(folders[1], 200.0, 62000.0);
+    write_summary(folders[2], third_onset, 63000.0);
+    write_paper_report(read_paper_runs(folders), scratch.path() / "report.md");
+    return text_of(scratch.path() / "report.md");
+  };
+  const std::string in_order = report(300.0);
+  EXPECT_NE(in_order.find("| the wetter, the earlier | onset 100.0 / 200.0 / 300.0 s | holds |"), std::string::npos);
+  EXPECT_NE(in_order.find("largest at the end 61.0 / 62.0 / 63.0 kPa | holds |"), std::string::npos);
+  EXPECT_NE(in_order.find("| the more permeable, the earlier | onset - / - / - s | not judged |"), std::string::npos);
+  EXPECT_EQ(report(300.0), in_order);
+  EXPECT_NE(report(150.0).find("| the wetter, the earlier | onset 100.0 / 200.0 / 150.0 s | does not hold |"),
+            std::string::npos);
 }
 
 TEST(PaperFigures, NameTheRunsThatAreMissing) {

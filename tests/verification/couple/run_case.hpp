@@ -8,7 +8,7 @@
 
 namespace slope::testing {
 
-/// A case file beside this source (or, with `shipped`, in the cases folder), ready to run.
+/// A case file beside this source, or one in the cases folder, ready to run.
 [[nodiscard]] couple::Simulation start_case(const std::string& name, const std::vector<std::string>& overrides = {});
 [[nodiscard]] couple::Simulation start_shipped_case(const std::string& name,
                                                     const std::vector<std::string>& overrides = {});

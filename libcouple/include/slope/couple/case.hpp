@@ -102,6 +102,7 @@ struct Traction {
   double ramp = 0.0;
 };
 
+enum class Scheme { semi_implicit, explicit_two_pass };
 enum class Skeleton { deformable, rigid };
 enum class MixtureDensity { by_saturation, saturated };
 enum class ShapeFunction { quadratic_bspline, linear };
@@ -110,7 +111,7 @@ struct Numerics {
   ShapeFunction shape_function = ShapeFunction::quadratic_bspline;
   std::optional<double> flip_fraction;  ///< none: APIC; else the FLIP share in [0, 1] of a FLIP/PIC blend
   double courant_number = 0.5;          ///< dt over cell size / P-wave speed, in (0, 1)
-  double pressure_tolerance = 1.0e-2;   ///< residual reduction of the pressure step, in (0, 1)
+  double pressure_tolerance = 5.0e-2;   ///< residual reduction of the pressure step, in (0, 1)
   double smoothing_length = 1.2;        ///< SPH smoothing length over particle spacing, in [1, 2]
 };
 
@@ -166,6 +167,7 @@ struct Case {
   InitialStress initial_stress = InitialStress::self_weight;
   std::vector<WaterBoundary> water_boundaries;
   std::vector<Traction> tractions;
+  Scheme scheme = Scheme::semi_implicit;
   Skeleton skeleton = Skeleton::deformable;
   MixtureDensity mixture_density = MixtureDensity::by_saturation;
   Numerics numerics;

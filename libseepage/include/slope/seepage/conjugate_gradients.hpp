@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <span>
@@ -19,8 +20,8 @@ class ConjugateGradients {
     bool converged = true;
   };
 
-  /// Solves A x = b from the x given, until the residual in the norm of the inverse diagonal has come down to
-  /// `tolerance` times that of x = 0.
+  /// Solves A x = b from the x given (zeros save an application), until the residual in the norm of the inverse
+  /// diagonal has come down to `tolerance` times that of x = 0.
   /// @param apply  callable (span<const double> in, span<double> out): out = A in
   /// @param diagonal  of A, > 0
   template <class Apply>
@@ -29,7 +30,11 @@ class ConjugateGradients {
     const std::size_t n = b.size();
     for (auto* v : {&residual_, &scaled_, &direction_, &image_}) v->resize(n);
     double b_norm = 0.0;
-    apply(x, image_);
+    if (std::ranges::all_of(x, [](double value) { return value == 0.0; })) {
+      std::ranges::fill(image_, 0.0);
+    } else {
+      apply(x, image_);
+    }
     for (std::size_t i = 0; i < n; ++i) {
       residual_[i] = b[i] - image_[i];
       scaled_[i] = b[i] / diagonal[i];

@@ -58,8 +58,7 @@ SolveReport PoreFlow::solve(double time_step, const Skeleton& skeleton, std::spa
     full(in, out);
     for (const HeldPressure& held : boundary.held) out[held.particle] = diagonal_[held.particle] * in[held.particle];
   };
-  for (std::size_t p = 0; p < n; ++p) change_[p] = last_rate_[p] * time_step;
-  for (const HeldPressure& held : boundary.held) change_[held.particle] = 0.0;
+  std::fill(change_.begin(), change_.end(), 0.0);
   const auto result = solver_.solve(reduced, diagonal_, right_side_, change_, tolerance, 500, settings_.threads);
 
   SolveReport report;
@@ -67,7 +66,6 @@ SolveReport PoreFlow::solve(double time_step, const Skeleton& skeleton, std::spa
   report.converged = result.converged;
   for (const HeldPressure& held : boundary.held) change_[held.particle] = held.pressure - pressure_[held.particle];
   for (std::size_t p = 0; p < n; ++p) {
-    last_rate_[p] = change_[p] / time_step;
     stress_change_[p] = saturation_[p] * change_[p];
     report.largest_change = std::max(report.largest_change, std::abs(change_[p]));
   }

@@ -32,6 +32,7 @@ struct Settings {
   ShapeFunction shape_function = ShapeFunction::quadratic_bspline;
   double flip_fraction = -1.0;    ///< < 0: APIC; else the FLIP share in [0, 1] of a FLIP/PIC blend
   double gravity = 9.81;          ///< (m/s2), towards -y
+  bool averages_pressure = true;  ///< over each cell; false: every particle's own pressure and strain, as Eq. 17 has it
   double particle_spacing = 0.0;  ///< surface (m) that a particle's traction acts on: V / h of Eq. 17, undeformed
   int threads = 1;                ///< >= 1; results do not depend on it
 };
@@ -76,7 +77,9 @@ struct Balance {
 ///     advance(dt, suction, mode) grid to particles: velocity, position, strain, volume, porosity, stress
 ///
 /// The pore pressure acts through its volume-weighted average over the particles of each cell, and so does the
-/// volumetric strain: the two are transposes of each other, so that no energy is made between them.
+/// volumetric strain: the two are transposes of each other, so that no energy is made between them. With
+/// Settings::averages_pressure false each particle's own pressure and strain act instead; then volume_response() and
+/// correct() are of no use.
 class MaterialPointMethod {
  public:
   /// @throws std::invalid_argument if there is no cell, soil or thread, if the particles' arrays differ in length or
