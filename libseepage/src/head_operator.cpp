@@ -78,16 +78,11 @@ void HeadOperator::apply(std::span<const double> head, std::span<double> outflow
 #pragma omp parallel for schedule(static) num_threads(threads_) if (threads_ > 1)
   for (std::size_t p = 0; p < diagonal_.size(); ++p) {
     const double here = head[p];
-    const std::size_t last = neighbours_.start[p + 1];
-    // two running sums: an addition need not wait for the one before
-    double even = 0.0, odd = 0.0;
-    std::size_t s = neighbours_.start[p];
-    for (; s + 1 < last; s += 2) {
-      even += conductance_[s] * (here - head[neighbours_.index[s]]);
-      odd += conductance_[s + 1] * (here - head[neighbours_.index[s + 1]]);
+    double sum = 0.0;
+    for (std::size_t s = neighbours_.start[p]; s < neighbours_.start[p + 1]; ++s) {
+      sum += conductance_[s] * (here - head[neighbours_.index[s]]);
     }
-    if (s < last) even += conductance_[s] * (here - head[neighbours_.index[s]]);
-    outflow[p] = even + odd;
+    outflow[p] = sum;
   }
 }
 

@@ -36,15 +36,4 @@ void TwoPassOperator::divergence(std::span<const double> wx, std::span<const dou
   }
 }
 
-void TwoPassOperator::step(double time_step, const Skeleton& skeleton, const Water& water,
-                           std::span<const double> conductivity, std::span<const double> storage,
-                           std::span<const double> skeleton_rate, std::span<double> pressure) const {
-  const std::size_t n = pressure.size();
-  std::vector<double> head(n), wx(n), wy(n), outflow(n);
-  for (std::size_t p = 0; p < n; ++p) head[p] = pressure[p] / water.unit_weight() + skeleton.y[p];
-  darcy_velocity(head, conductivity, wx, wy);
-  divergence(wx, wy, outflow);
-  for (std::size_t p = 0; p < n; ++p) pressure[p] -= time_step / storage[p] * (outflow[p] + skeleton_rate[p]);
-}
-
 }  // namespace slope::seepage

@@ -8,7 +8,6 @@
 #include "slope/seepage/kernel.hpp"
 #include "slope/seepage/neighbours.hpp"
 #include "slope/seepage/skeleton.hpp"
-#include "slope/seepage/soil.hpp"
 
 namespace slope::seepage {
 
@@ -36,11 +35,6 @@ class TwoPassOperator {
 
   /// The sums of Eq. 19: divergence (1/s) of a velocity w or v (m/s).
   void divergence(std::span<const double> wx, std::span<const double> wy, std::span<double> divergence) const;
-
-  /// Eq. 19: the pressures (Pa) after a time step (s). Storage, saturation and conductivity are those of the start.
-  /// @param storage  n S_r / K_w + C_s (1/Pa); @param skeleton_rate  S_r div v (1/s)
-  void step(double time_step, const Skeleton& skeleton, const Water& water, std::span<const double> conductivity,
-            std::span<const double> storage, std::span<const double> skeleton_rate, std::span<double> pressure) const;
 
  private:
   WendlandC2 kernel_;
