@@ -8,6 +8,7 @@
 #include "paper_report.hpp"
 #include "pictures.hpp"
 #include "render_window.hpp"
+#include "run_figures.hpp"
 #include "slope/couple/read_case.hpp"
 
 namespace {
@@ -52,6 +53,12 @@ int draw_paper(const std::vector<std::string>& folders, const std::string& out, 
   return figures.written.empty() ? bad_input : 0;
 }
 
+int compare(const std::vector<std::string>& folders, const fs::path& out) {
+  write_comparison({folders.begin(), folders.end()}, out);
+  std::puts(out.c_str());
+  return 0;
+}
+
 int animate(const fs::path& folder, const std::string& out, const PictureOptions& options) {
   const auto run = read_run_folder(folder);
   const fs::path target = out_or(out, run.path / "figures");
@@ -79,8 +86,10 @@ int main(int argc, char** argv) {
   std::string out;
   bool paper = false;
   bool animation = false;
-  app.add_option("DIR", folders, "Output folder of slope-sim; with --paper, one or more")->required();
-  auto* out_option = app.add_option("-o,--out", out, "Folder for the pictures (default: DIR/figures)");
+  bool comparison = false;
+  app.add_option("DIR", folders, "Output folder of slope-sim; with --paper or --compare, one or more")->required();
+  auto* out_option = app.add_option(
+      "-o,--out", out, "Folder for the pictures (default: DIR/figures); with --compare, the file to write");
   app.add_option("--width", options.width, "Width of the pictures in pixels")
       ->check(CLI::Range(400, 8000))
       ->capture_default_str();
@@ -101,15 +110,23 @@ int main(int argc, char** argv) {
           ->needs(out_option)
           ->excludes(times)
           ->excludes(field);
+  auto* comparison_flag =
+      app.add_flag("--compare", comparison,
+                   "Writes a table of runs side by side in Markdown: displacement times, failure zones, suction left")
+          ->needs(out_option)
+          ->excludes(times)
+          ->excludes(field)
+          ->excludes(paper_flag);
   app.add_flag("--animate", animation,
                "Draws every snapshot with one colour scale, the deviatoric strain unless --field says "
                "otherwise, and makes a film of them if there is an encoder")
       ->excludes(times)
-      ->excludes(paper_flag);
+      ->excludes(paper_flag)
+      ->excludes(comparison_flag);
   try {
     app.parse(argc, argv);
-    if (folders.size() > 1 && !paper) {
-      throw CLI::ValidationError("DIR", "more than one folder is only for --paper");
+    if (folders.size() > 1 && !paper && !comparison) {
+      throw CLI::ValidationError("DIR", "more than one folder is only for --paper and --compare");
     }
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : bad_input;
@@ -118,6 +135,9 @@ int main(int argc, char** argv) {
   try {
     if (paper) {
       return draw_paper(folders, out, options.width);
+    }
+    if (comparison) {
+      return compare(folders, out);
     }
     return animation ? animate(folders.front(), out, options) : draw_run(folders.front(), out, options);
   } catch (const slope::couple::FileError& error) {

@@ -1,105 +1,28 @@
 #include "paper_report.hpp"
 
 #include <fmt/format.h>
-#include <vtkDataArray.h>
-#include <vtkPointData.h>
-#include <vtkPolyData.h>
-#include <yaml-cpp/yaml.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <fstream>
 #include <functional>
-#include <initializer_list>
 #include <limits>
 #include <optional>
 
+#include "run_figures.hpp"
 #include "slope/couple/read_case.hpp"
 
 namespace slope::tools {
 namespace {
 
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 constexpr double moves = 0.02;      // m: a point that moved less hardly moved
 constexpr double same = 0.03;       // two onset times that scale with k agree within this share
 constexpr double suction_60 = 6e4;  // Pa: what the paper gives as left in W1
 constexpr std::array slopes{"slope-w1", "slope-w2", "slope-w3", "slope-h1", "slope-h2", "slope-h3"};
+using Figures = RunFigures;
 using Three = std::array<const char*, 3>;
 constexpr Three wetness{"slope-w1", "slope-w2", "slope-w3"}, permeability{"slope-h1", "slope-h2", "slope-h3"};
-
-struct Zone {
-  double length = nothing, height = nothing, area = nothing, highest = nothing, suction = nothing;
-};
-
-// What the report needs of a run; nothing where the run does not tell.
-struct Figures {
-  double onset = nothing, at_10_cm = nothing, x = nothing, y = nothing, suction_there = nothing;
-  Zone early, last;  // at 10 cm, at the end
-  double conductivity = nothing, displacement = nothing, budget = nothing;
-};
-
-// What stands in a summary under one key after the other; null if one of them is not there.
-YAML::Node find(YAML::Node node, std::initializer_list<const char*> keys) {
-  for (const char* key : keys) {
-    if (!node.IsMap() || !node[key].IsDefined()) return YAML::Node();
-    node.reset(node[key]);
-  }
-  return node;
-}
-
-double number(const YAML::Node& node) {
-  return node.IsScalar() ? node.as<double>(nothing) : nothing;
-}
-
-Zone zone_of(const YAML::Node& node) {
-  return {number(find(node, {"length_m"})), number(find(node, {"height_m"})), number(find(node, {"area_m2"})),
-          number(find(node, {"highest_m"})), number(find(node, {"largest_suction_Pa"}))};
-}
-
-// Suction of the particle that has moved most at the onset.
-double suction_at_onset(const RunFolder& run) {
-  const auto snapshot = std::ranges::find(run.snapshots, "onset", &Snapshot::label);
-  if (snapshot == run.snapshots.end()) return nothing;
-  const auto particles = read_particles(snapshot->file);
-  vtkDataArray* displacement = particles->GetPointData()->GetArray("displacement");
-  vtkDataArray* suction = particles->GetPointData()->GetArray("suction");
-  if (displacement == nullptr || suction == nullptr) return nothing;
-  double farthest = -1.0, result = nothing;
-  for (vtkIdType p = 0; p < displacement->GetNumberOfTuples(); ++p) {
-    const double moved = std::hypot(displacement->GetComponent(p, 0), displacement->GetComponent(p, 1));
-    if (moved <= farthest) continue;
-    farthest = moved;
-    result = suction->GetComponent(p, 0);
-  }
-  return result;
-}
-
-Figures figures_of(const RunFolder& run) {
-  const auto file = run.path / "summary.json";
-  try {
-    const YAML::Node summary = YAML::LoadFile(file.string());
-    Figures f;
-    f.onset = run.onset.value_or(nothing);
-    for (const YAML::Node& mark : find(summary, {"displacement_times"})) {
-      if (number(find(mark, {"displacement_m"})) == 0.1) f.at_10_cm = number(find(mark, {"time_s"}));
-    }
-    const YAML::Node position = find(summary, {"onset", "position_m"});
-    if (position.IsSequence() && position.size() == 2) {
-      f.x = number(position[0]);
-      f.y = number(position[1]);
-    }
-    f.suction_there = suction_at_onset(run);
-    f.early = zone_of(find(summary, {"failure_zone", "at_10_cm"}));
-    f.last = zone_of(find(summary, {"failure_zone", "at_end"}));
-    f.conductivity = run.input.soils.front().seepage.hydraulic_conductivity;
-    f.displacement = number(find(summary, {"largest_displacement_m"}));
-    f.budget = number(find(summary, {"water_budget", "error"}));
-    return f;
-  } catch (const YAML::Exception& error) {
-    throw couple::FileError(fmt::format("{}: cannot be read: {}", file.string(), error.what()));
-  }
-}
 
 // A column of the history, "<point> <quantity> [unit]"; null if there is none.
 const std::vector<double>* column(const RunFolder& run, const std::string& name) {
@@ -186,7 +109,7 @@ class Report {
       text += fmt::format(
           "| {} | {:.1f} s | {:.1f} s | {:.1f} m, {:.1f} m | {:.1f} x {:.1f} m | {:.2f} m moved | {:.1f} x {:.1f} m, "
           "{:.1f} m2 | {:.1f} kPa | {:.0e} |\n",
-          name, f.onset, f.at_10_cm, f.x, f.y, f.early.length, f.early.height, f.displacement, f.last.length,
+          name, f.onset, f.time_of(0.1), f.x, f.y, f.early.length, f.early.height, f.displacement, f.last.length,
           f.last.height, f.last.area, f.last.suction * 1e-3, std::abs(f.budget));
     }
     return text + "\n";
@@ -201,8 +124,8 @@ class Report {
     const auto early = three(wetness, [](const RunFolder&, const Figures& f) { return f.early.area; });
     const auto late = three(wetness, [](const RunFolder&, const Figures& f) { return f.last.area; });
     const auto left = three(wetness, [](const RunFolder&, const Figures& f) { return f.last.suction; });
-    const auto c1 =
-        three(wetness, [](const RunFolder& run, const Figures& f) { return at(run, "C1 displacement", f.at_10_cm); });
+    const auto c1 = three(
+        wetness, [](const RunFolder& run, const Figures& f) { return at(run, "C1 displacement", f.time_of(0.1)); });
     const auto b = three(wetness, [](const RunFolder& run, const Figures& f) {
       double largest = -std::numeric_limits<double>::infinity();
       for (const char* point : {"B1 suction", "B2 suction", "B3 suction"}) {
@@ -260,10 +183,12 @@ class Report {
     const auto late = three(permeability, [](const RunFolder&, const Figures& f) { return f.last.area; });
     const auto gone =
         three(permeability, [](const RunFolder& run, const Figures&) { return time_below(run, "B3 suction", 0.0); });
-    const auto c1 = three(
-        permeability, [](const RunFolder& run, const Figures& f) { return at(run, "C1 displacement", f.at_10_cm); });
-    const auto b1 = three(
-        permeability, [](const RunFolder& run, const Figures& f) { return at(run, "B1 displacement", f.at_10_cm); });
+    const auto c1 = three(permeability, [](const RunFolder& run, const Figures& f) {
+      return at(run, "C1 displacement", f.time_of(0.1));
+    });
+    const auto b1 = three(permeability, [](const RunFolder& run, const Figures& f) {
+      return at(run, "B1 displacement", f.time_of(0.1));
+    });
     const auto largest_first = [](double x, double y, double z) { return x > std::max(y, z); };
     return std::string(
                "## Hydraulic conductivity: H1, H2, H3 (section 4.4)\n\n"

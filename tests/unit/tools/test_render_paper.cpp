@@ -12,6 +12,7 @@
 #include "paper_report.hpp"
 #include "picture_file.hpp"
 #include "retention_chart.hpp"
+#include "run_figures.hpp"
 #include "scratch_folder.hpp"
 #include "slope/couple/read_case.hpp"
 #include "synthetic_run.hpp"
@@ -85,6 +86,18 @@ TEST(PaperReport, JudgesByTheSummaries) {
   EXPECT_EQ(report(300.0), in_order);
   EXPECT_NE(report(150.0).find("| the wetter, the earlier | onset 100.0 / 200.0 / 150.0 s | does not hold |"),
             std::string::npos);
+}
+
+TEST(Comparison, SetsRunsBesideTheFirst) {
+  const ScratchFolder scratch;
+  const auto folders = slope_runs(scratch.path(), {"one", "two"});
+  write_summary(folders[0], 100.0, 61000.0);
+  write_summary(folders[1], 93.0, 62000.0);
+  write_comparison(folders, scratch.path() / "table.md");
+  const std::string table = text_of(scratch.path() / "table.md");
+  EXPECT_NE(table.find("| - | 100.0 s | +0.0 % | - |"), std::string::npos) << table;
+  EXPECT_NE(table.find("| - | 93.0 s | -7.0 % | - |"), std::string::npos) << table;
+  EXPECT_NE(table.find("| 62.0 kPa |"), std::string::npos) << table;
 }
 
 TEST(PaperFigures, NameTheRunsThatAreMissing) {
