@@ -1,12 +1,13 @@
 #include "picture_difference.hpp"
 
-#include <vtkImageDifference.h>
 #include <vtkNew.h>
 #include <vtkPNGReader.h>
 #include <vtkPNGWriter.h>
 
 #include <algorithm>
 #include <cstdint>
+#include <cstdlib>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -20,32 +21,74 @@ std::string size_of(const int* dimensions) {
   return std::to_string(dimensions[0]) + " x " + std::to_string(dimensions[1]) + " pixels";
 }
 
-/// Sums over rectangles of pixels from sums over all that lies to their lower left.
-class Sums {
+/// The channels of a picture, row by row from below.
+class Pixels {
  public:
-  explicit Sums(vtkImageData* difference)
-      : columns_(difference->GetDimensions()[0]),
-        rows_(difference->GetDimensions()[1]),
-        sums_(static_cast<std::size_t>(columns_ + 1) * static_cast<std::size_t>(rows_ + 1), 0.0) {
-    const auto* pixel = static_cast<const std::uint8_t*>(difference->GetScalarPointer());
-    for (int j = 0; j < rows_; ++j) {
-      for (int i = 0; i < columns_; ++i, pixel += channels) {
-        at(i + 1, j + 1) = *std::max_element(pixel, pixel + channels) + at(i, j + 1) + at(i + 1, j) - at(i, j);
+  explicit Pixels(vtkImageData* picture)
+      : columns_(picture->GetDimensions()[0]),
+        rows_(picture->GetDimensions()[1]),
+        values_(static_cast<const std::uint8_t*>(picture->GetScalarPointer())) {}
+
+  [[nodiscard]] int columns() const { return columns_; }
+  [[nodiscard]] int rows() const { return rows_; }
+  [[nodiscard]] const std::uint8_t* at(int i, int j) const { return values_ + channels * (j * columns_ + i); }
+
+ private:
+  int columns_;
+  int rows_;
+  const std::uint8_t* values_;
+};
+
+int distance(const std::uint8_t* a, const std::uint8_t* b) {
+  return std::max({std::abs(a[0] - b[0]), std::abs(a[1] - b[1]), std::abs(a[2] - b[2])});
+}
+
+/// From a pixel to the nearest of the nine around this place in another picture.
+int distance_to_nearest(const Pixels& pixels, const Pixels& others, int i, int j) {
+  int nearest = std::numeric_limits<int>::max();
+  for (int y = std::max(0, j - 1); y <= std::min(others.rows() - 1, j + 1); ++y) {
+    for (int x = std::max(0, i - 1); x <= std::min(others.columns() - 1, i + 1); ++x) {
+      nearest = std::min(nearest, distance(pixels.at(i, j), others.at(x, y)));
+    }
+  }
+  return nearest;
+}
+
+/// Row by row from below.
+std::vector<int> pixel_differences(const Pixels& a, const Pixels& b) {
+  std::vector<int> differences;
+  differences.reserve(static_cast<std::size_t>(a.columns()) * static_cast<std::size_t>(a.rows()));
+  for (int j = 0; j < a.rows(); ++j) {
+    for (int i = 0; i < a.columns(); ++i) {
+      differences.push_back(std::max(distance_to_nearest(a, b, i, j), distance_to_nearest(b, a, i, j)));
+    }
+  }
+  return differences;
+}
+
+/// Means over rectangles of pixels, from sums over all that lies to their lower left.
+class Means {
+ public:
+  Means(const std::vector<int>& values, int columns)
+      : stride_(static_cast<std::size_t>(columns) + 1), sums_(stride_, 0.0) {
+    for (auto row = values.begin(); row != values.end(); row += columns) {
+      double sum = 0.0;
+      sums_.push_back(0.0);
+      for (auto value = row; value != row + columns; ++value) {
+        sum += *value;
+        sums_.push_back(sum + sums_[sums_.size() - stride_]);
       }
     }
   }
 
-  [[nodiscard]] double mean(int left, int bottom, int right, int top) {
+  [[nodiscard]] double over(int left, int bottom, int right, int top) const {
     return (at(right, top) - at(left, top) - at(right, bottom) + at(left, bottom)) / ((right - left) * (top - bottom));
   }
-  [[nodiscard]] int columns() const { return columns_; }
-  [[nodiscard]] int rows() const { return rows_; }
 
  private:
-  double& at(int i, int j) { return sums_[static_cast<std::size_t>(j) * static_cast<std::size_t>(columns_ + 1) + i]; }
+  [[nodiscard]] double at(int i, int j) const { return sums_[static_cast<std::size_t>(j) * stride_ + i]; }
 
-  int columns_;
-  int rows_;
+  std::size_t stride_;
   std::vector<double> sums_;
 };
 
@@ -57,12 +100,14 @@ std::vector<int> tile_begins(int length) {
   return begins;
 }
 
-vtkSmartPointer<vtkImageData> inverted(vtkImageData* picture) {
+/// Grey on white, the darker the farther apart; as large as a picture.
+vtkSmartPointer<vtkImageData> shown(const std::vector<int>& differences, vtkImageData* picture) {
   auto result = vtkSmartPointer<vtkImageData>::New();
-  result->DeepCopy(picture);
+  result->CopyStructure(picture);
+  result->AllocateScalars(VTK_UNSIGNED_CHAR, channels);
   auto* value = static_cast<std::uint8_t*>(result->GetScalarPointer());
-  std::transform(value, value + channels * result->GetNumberOfPoints(), value,
-                 [](std::uint8_t v) { return static_cast<std::uint8_t>(255 - v); });
+  for (const int difference : differences)
+    value = std::fill_n(value, channels, static_cast<std::uint8_t>(255 - difference));
   return result;
 }
 
@@ -74,29 +119,23 @@ PictureDifference picture_difference(vtkImageData* actual, vtkImageData* referen
   if (!std::equal(size, size + 3, asked)) {
     throw std::runtime_error("the picture has " + size_of(size) + " instead of " + size_of(asked));
   }
-  vtkNew<vtkImageDifference> filter;
-  filter->SetInputData(actual);
-  filter->SetImageData(reference);
-  filter->SetThreshold(0);
-  filter->AllowShiftOn();
-  filter->AveragingOff();
-  filter->Update();
-
+  const Pixels pixels(actual);
+  const auto differences = pixel_differences(pixels, Pixels(reference));
+  const Means means(differences, pixels.columns());
   PictureDifference result;
-  Sums sums(filter->GetOutput());
-  for (const int bottom : tile_begins(sums.rows())) {
-    for (const int left : tile_begins(sums.columns())) {
-      const int right = std::min(left + tile_width, sums.columns());
-      const int top = std::min(bottom + tile_width, sums.rows());
-      const double mean = sums.mean(left, bottom, right, top);
+  for (const int bottom : tile_begins(pixels.rows())) {
+    for (const int left : tile_begins(pixels.columns())) {
+      const int right = std::min(left + tile_width, pixels.columns());
+      const int top = std::min(bottom + tile_width, pixels.rows());
+      const double mean = means.over(left, bottom, right, top);
       if (mean > result.largest) {
         result.largest = mean;
         result.x = (left + right) / 2;
-        result.y = sums.rows() - (bottom + top) / 2;
+        result.y = pixels.rows() - (bottom + top) / 2;
       }
     }
   }
-  result.picture = inverted(filter->GetOutput());
+  result.picture = shown(differences, actual);
   return result;
 }
 

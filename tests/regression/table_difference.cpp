@@ -32,7 +32,9 @@ double nearest_value(const Curve& curve, double from, double to, double referenc
 }
 
 Deviation deviation(const ColumnTolerance& asked, double along, double value, double reference) {
-  return {asked.column, along, value, reference, std::abs(value - reference) / asked.tolerance.at(reference)};
+  // Where nothing is allowed and nothing differs, the share is 0.
+  const double share = value == reference ? 0.0 : std::abs(value - reference) / asked.tolerance.at(reference);
+  return {asked.column, along, value, reference, share};
 }
 
 /// Whether it is worse; NaN is worst.
