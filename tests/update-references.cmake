@@ -17,7 +17,7 @@ if(BUILD)
 endif()
 
 if(NOT COMMIT)
-  execute_process(COMMAND git -C ${REFERENCES} describe --always --dirty
+  execute_process(COMMAND git -C ${REFERENCES} rev-parse --short HEAD
     OUTPUT_VARIABLE COMMIT OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
 endif()
 
