@@ -140,7 +140,11 @@ PictureDifference picture_difference(vtkImageData* actual, vtkImageData* referen
 }
 
 PictureDifference picture_difference(const std::filesystem::path& actual, const std::filesystem::path& reference) {
-  return picture_difference(read_picture(actual), read_picture(reference));
+  try {
+    return picture_difference(read_picture(actual), read_picture(reference));
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(actual.string() + " beside " + reference.string() + ": " + error.what());
+  }
 }
 
 vtkSmartPointer<vtkImageData> read_picture(const std::filesystem::path& file) {

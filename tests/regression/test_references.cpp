@@ -1,6 +1,5 @@
-#include <gtest/gtest.h>
-
 #include <fmt/format.h>
+#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <set>
@@ -21,7 +20,8 @@ void expect_tables_close(const RegressionCase& tested) {
     const fs::path actual = tested.products() / file;
     const fs::path reference = tested.references() / file;
     const auto found = deviations(Table(actual), Table(reference), tolerances);
-    EXPECT_EQ(complaints(found), "") << "actual:    " << actual.string() << "\nreference: " << reference.string();
+    const std::string wrong = complaints(found);
+    EXPECT_TRUE(wrong.empty()) << wrong << "actual:    " << actual.string() << "\nreference: " << reference.string();
     const auto worst = std::ranges::max_element(found, {}, &Deviation::share);
     fmt::print("{}: at most {:.2g} of what is allowed, in {}\n", file, worst->share, worst->column);
   }

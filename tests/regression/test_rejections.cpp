@@ -1,8 +1,8 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <fmt/format.h>
-
-#include <cstdint>
+#include <algorithm>
+#include <cmath>
 #include <fstream>
 
 #include "colour_maps.hpp"
