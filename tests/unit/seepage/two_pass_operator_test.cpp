@@ -67,6 +67,46 @@ TEST(TwoPassOperator, DoesNotSeeACheckerboard) {
   EXPECT_GT(std::abs(out[centre]), 1.0) << "the head operator does";
 }
 
+// Largest disturbance of the pressure in a closed box after some time, over the first one. The time and its step are in
+// those of explicit_step().
+double left_over(double jitter, double time_step, double duration) {
+  const int side = 8;
+  const double spacing = 0.1, size = side * spacing, disturbance = 100.0;
+  const auto box = lattice(side, side, spacing, jitter);
+  Soil soil;
+  soil.retention = VanGenuchten{.alpha = 0.05, .n = 3.0, .range = {}};
+  soil.relative_permeability.law = HillelPower{};
+  soil.hydraulic_conductivity = 1.0e-5;
+  FlowSettings settings;
+  settings.spacing = spacing;
+  settings.walls = {0.0, size, 0.0, size};
+  const Water water;
+  const auto at_rest = [&](std::size_t p) { return 1.0e6 - water.unit_weight() * box.y[p]; };
+  std::vector<double> pressure(box.size());
+  for (std::size_t p = 0; p < box.size(); ++p) {
+    pressure[p] = at_rest(p) + disturbance * std::cos(std::numbers::pi * box.y[p] / size);
+  }
+  const std::vector<std::uint16_t> soils(box.size(), 0);
+  PoreFlow flow({soil}, water, soils, pressure, box.skeleton(), settings);
+  const std::vector<double> still(box.size(), 0.0);
+  const double unit = flow.explicit_step(box.skeleton());
+  for (double t = 0.0; t < duration; t += time_step) {
+    flow.advance_explicitly(time_step * unit, box.skeleton(), still, still, {});
+  }
+  double largest = 0.0;
+  for (std::size_t p = 0; p < box.size(); ++p) {
+    largest = std::max(largest, std::abs(flow.pressure()[p] - at_rest(p)) / disturbance);
+  }
+  return largest;
+}
+
+TEST(TwoPassOperator, GrowsOnDisorderedParticlesWhateverTheStep) {
+  EXPECT_LT(left_over(0.0, 0.4, 200.0), 1.0e-6) << "a lattice calms down";
+  for (const double time_step : {0.4, 0.1}) {
+    EXPECT_GT(left_over(0.2, time_step, 200.0), 10.0 * left_over(0.2, time_step, 50.0)) << time_step;
+  }
+}
+
 // A wave of pressure dies away in a closed, saturated column: rate K / (gamma_w storage) (pi / height)^2.
 TEST(TwoPassOperator, AShortRunAgreesWithTheHeadOperatorAndTheExactSolution) {
   const int rows = 40;
