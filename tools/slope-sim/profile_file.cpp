@@ -45,9 +45,10 @@ std::vector<std::array<double, 2>> read_poly_line(const std::filesystem::path& f
   }
   const QuietVtk quiet;
   vtkNew<vtkXMLPolyDataReader> reader;
+  if (reader->CanReadFile(file.c_str()) == 0) refuse(file, "is not a VTK PolyData file (.vtp)");
   reader->SetFileName(file.c_str());
   reader->Update();
-  if (reader->GetErrorCode() != 0) refuse(file, "is not a VTK PolyData file (.vtp)");
+  if (reader->GetErrorCode() != 0) refuse(file, "cannot be read as VTK PolyData; is it whole?");
   std::vector<std::array<double, 2>> line;
   for (const vtkIdType point : points_along(*reader->GetOutput(), file)) {
     const double* position = reader->GetOutput()->GetPoint(point);
