@@ -18,7 +18,7 @@ constexpr double tolerance = 1.0e-9;
 /// Share of a lattice square that does not count.
 constexpr double least_area = 1.0e-12;
 /// Share of a lattice square below which what is cut out of it makes no particle of its own.
-constexpr double least_share = 1.0 / 3.0;
+constexpr double least_share = 0.5;
 
 /// The squares of the particle lattice.
 struct Lattice {

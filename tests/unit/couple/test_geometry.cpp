@@ -169,8 +169,8 @@ TEST(ClippedParticles, HaveTheAreaAndTheCentroidOfAnyPolygon) {
     EXPECT_NEAR(reached[1], wanted[1], 1.0e-13);
     EXPECT_NEAR(reached[2], wanted[2], 1.0e-12);
     const double whole = particles.spacing * particles.spacing;
-    EXPECT_GE(*std::min_element(particles.volume.begin(), particles.volume.end()), whole / 3.0) << "no sliver";
-    EXPECT_LE(*std::max_element(particles.volume.begin(), particles.volume.end()), 2.4 * whole);
+    EXPECT_GE(*std::min_element(particles.volume.begin(), particles.volume.end()), whole / 2.0) << "no sliver";
+    EXPECT_LE(*std::max_element(particles.volume.begin(), particles.volume.end()), 3.0 * whole);
   }
 }
 
@@ -222,7 +222,7 @@ TEST(ClippedParticles, FollowThePapersSlopeWithoutSteps) {
     largest = std::max(largest, ground - particles.y[p]);
   }
   EXPECT_GT(least, 0.05);
-  EXPECT_LT(largest, 0.20) << "the lattice's steps reach 0.25 m";
+  EXPECT_LT(largest, 0.22) << "the lattice's steps reach 0.25 m";
 }
 
 TEST(ClippedParticles, AnInterfaceFollowsTheLatticeAndKeepsTheTotal) {

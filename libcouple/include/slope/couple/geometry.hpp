@@ -21,7 +21,7 @@ struct InitialParticles {
 /// Fills the regions with particles on a square lattice, by the rule of domain.surface_particles.
 /// - lattice: a whole particle at each lattice point that lies inside a polygon.
 /// - clipped: a particle for each lattice square that the regions cut, with the volume and the centroid of the part cut
-///   out, so that the volumes add up to the area of the regions to rounding. A part below a third of a square is joined
+///   out, so that the volumes add up to the area of the regions to rounding. A part below half of a square is joined
 ///   to the neighbour that it touches. Where soils meet, a square belongs to the one with the largest share of it.
 [[nodiscard]] InitialParticles fill_regions(const Domain& domain, const std::vector<Region>& regions);
 
