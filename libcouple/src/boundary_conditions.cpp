@@ -12,17 +12,17 @@ double ramp_share(double time, double start, double ramp) {
   return ramp > 0.0 ? std::clamp((time - start) / ramp, 0.0, 1.0) : 1.0;
 }
 
-// Where a place's faces lie, seen from their particles, in spacings.
-Point face_of(Place place) {
+// Where a place's faces lie, seen from their particles.
+Point outwards_of(Place place) {
   switch (place) {
     case Place::ground_surface:
-      return {0.0, 0.5};
+      return {0.0, 1.0};
     case Place::base:
-      return {0.0, -0.5};
+      return {0.0, -1.0};
     case Place::left:
-      return {-0.5, 0.0};
+      return {-1.0, 0.0};
     case Place::right:
-      return {0.5, 0.0};
+      return {1.0, 0.0};
   }
   return {0.0, 0.0};
 }
@@ -30,7 +30,10 @@ Point face_of(Place place) {
 }  // namespace
 
 BoundaryConditions::BoundaryConditions(const Case& input, const InitialParticles& particles)
-    : water_(input.water_boundaries), tractions_(input.tractions), spacing_(particles.spacing) {
+    : water_(input.water_boundaries),
+      tractions_(input.tractions),
+      face_distance_(particles.face_distance),
+      spacing_(particles.spacing) {
   const auto add_times = [this](double start, double ramp) {
     change_times_.push_back(start);
     if (ramp > 0.0) change_times_.push_back(start + ramp);
@@ -63,10 +66,10 @@ void BoundaryConditions::apply(double time, const Mixture& mixture, Actions& act
     const Traction& traction = tractions_[k];
     if (time < traction.start) continue;
     const double share = ramp_share(time, traction.start, traction.ramp);
-    const Point face = face_of(traction.where.place);
+    const Point face = outwards_of(traction.where.place);
     for (const std::size_t p : traction_particles_[k]) {
-      actions.tractions.push_back(
-          {p, share * traction.traction[0], share * traction.traction[1], face[0] * spacing_, face[1] * spacing_});
+      actions.tractions.push_back({p, share * traction.traction[0], share * traction.traction[1],
+                                   face[0] * face_distance_[p], face[1] * face_distance_[p]});
     }
   }
 }
@@ -83,7 +86,7 @@ void BoundaryConditions::add_water(std::size_t boundary, double share, const Mix
   const WaterBoundary& condition = water_[boundary];
   const auto index = static_cast<std::uint32_t>(boundary);
   const double unit_weight = mixture.water.water().unit_weight();
-  const double rise = face_of(condition.where.place)[1] * spacing_;
+  const double upwards = outwards_of(condition.where.place)[1];
   for (const std::size_t p : water_particles_[boundary]) {
     const auto particle = static_cast<std::uint32_t>(p);
     if (const auto* flux = std::get_if<PrescribedFlux>(&condition.condition)) {
@@ -91,12 +94,13 @@ void BoundaryConditions::add_water(std::size_t boundary, double share, const Mix
       continue;
     }
     const auto& held = std::get<PrescribedPressure>(condition.condition);
+    const double rise = upwards * face_distance_[p];
     const double height = mixture.soil.particles().y[p] + (held.at_face ? rise : 0.0);
     const double full = held.total_head ? unit_weight * (*held.total_head - height) : held.pressure;
     const double start = first_pressure_[p] - (held.at_face ? unit_weight * rise : 0.0);
     const double pressure = start + share * (full - start);
     if (held.at_face) {
-      actions.water.faces.push_back({particle, index, pressure, rise, 0.5 * spacing_, spacing_});
+      actions.water.faces.push_back({particle, index, pressure, rise, face_distance_[p], spacing_});
     } else {
       actions.water.held.push_back({particle, index, pressure});
     }

@@ -37,6 +37,7 @@ class BoundaryConditions {
   std::vector<std::string> names_;
   std::vector<double> change_times_;
   std::vector<double> first_pressure_;
+  std::vector<double> face_distance_;
   double spacing_;
 };
 

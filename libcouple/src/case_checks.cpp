@@ -44,22 +44,26 @@ void check_domain(const Input& place, const Domain& domain) {
 }
 
 void check_region(const Input& place, const Domain& domain, const Region& region) {
-  const Input outline = place.at("polygon");
+  const bool drawn = place.has("polygon");
+  const Input outline = place.at(drawn ? "polygon" : "surface");
+  Domain whole_particles = domain;
+  whole_particles.surface_particles = SurfaceParticles::lattice;
   const double tolerance = 1.0e-9 * domain.cell_size;
   for (std::size_t i = 0; i < region.polygon.size(); ++i) {
     const Point& corner = region.polygon[i];
     const bool inside = corner[0] >= domain.lower[0] - tolerance && corner[0] <= domain.upper[0] + tolerance &&
                         corner[1] >= domain.lower[1] - tolerance && corner[1] <= domain.upper[1] + tolerance;
     if (inside) continue;
-    outline.item(i).problem(fmt::format("the corner {} is outside of the domain, which goes from {} to {}",
-                                        text_of(corner), text_of(domain.lower), text_of(domain.upper)));
+    (drawn ? outline.item(i) : outline)
+        .problem(fmt::format("the corner {} is outside of the domain, which goes from {} to {}", text_of(corner),
+                             text_of(domain.lower), text_of(domain.upper)));
   }
   if (const auto edges = crossing_edges(region.polygon)) {
     outline.problem(fmt::format("the edges from {} and from {} cross each other; give the corners in order",
                                 text_of(region.polygon[edges->first]), text_of(region.polygon[edges->second])));
   } else if (std::abs(signed_area(region.polygon)) < 1.0e-9 * domain.cell_size * domain.cell_size) {
     outline.problem("the polygon encloses no area; its corners lie on one line");
-  } else if (fill_regions(domain, {region}).x.empty()) {
+  } else if (fill_regions(whole_particles, {region}).x.empty()) {
     outline.problem(
         fmt::format("no particle lies in the polygon; it is too small for cells of {:g} m", domain.cell_size));
   }

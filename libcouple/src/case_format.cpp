@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "profile.hpp"
+
 namespace slope::couple {
 
 namespace {
@@ -16,6 +18,8 @@ constexpr auto whole = [](auto& value) -> auto& {
 struct RegionText {
   std::string soil;
   std::vector<Point> polygon;
+  std::optional<ProfileText> surface;
+  std::optional<double> base;
 };
 
 Format<Domain> domain_format() {
@@ -27,6 +31,11 @@ Format<Domain> domain_format() {
                 "side of the square grid cells", "0.5 m")
       .required("particles_per_cell", &Domain::particles_per_cell,
                 choice<int>({{"1", 1}, {"4", 4}, {"9", 9}, {"16", 16}}), "in a square lattice", "4")
+      .optional(
+          "surface_particles", &Domain::surface_particles,
+          choice<SurfaceParticles>({{"lattice", SurfaceParticles::lattice}, {"clipped", SurfaceParticles::clipped}}),
+          "lattice: whole particles whose centre lies in a polygon, inclined surfaces are stair-steps; clipped: "
+          "volumes and centroids of what the polygons cut out of the lattice, exact in area")
       .format();
 }
 
@@ -59,24 +68,79 @@ Field<Case> include_field() {
           [](const Case&) { return Document{}; }};
 }
 
+Format<ProfileText> profile_format() {
+  return Record<ProfileText>()
+      .required("file", &ProfileText::file, path_text(),
+                "CSV file, path from the file that names it; x ascends and covers the domain, # begins a comment",
+                "profile.csv")
+      .optional("x", &ProfileText::x, text(), "name of the column of x, with its unit at the end: x_m, x [cm]")
+      .optional("y", &ProfileText::y, text(), "name of the column of the heights, with its unit at the end")
+      .optional("depth", &ProfileText::depth, quantity(Dimension::length, at_least(0.0)),
+                "how far below the line the soil begins, measured vertically")
+      .format();
+}
+
+Format<RegionText> region_format() {
+  Format<RegionText> format =
+      Record<RegionText>()
+          .required("soil", &RegionText::soil, text(), "name of one of the soils", "sandy_clay")
+          .optional("polygon", &RegionText::polygon, list_of(pair_of(Dimension::length), 3),
+                    "corners in order, in either sense")
+          .optional("surface", &RegionText::surface, maybe(profile_format()),
+                    "instead of a polygon: a line from a file, with soil from there down to the base")
+          .optional("base", &RegionText::base, maybe(quantity(Dimension::length)),
+                    "y of the lower side of what has a surface; the base of the domain without it")
+          .check([](const Input& input, RegionText& region) {
+            if (input.has("polygon") == input.has("surface")) {
+              input.problem(
+                  fmt::format("needs one of polygon and surface, got {}; write for example \"polygon: [[0 m, 0 "
+                              "m], [36 m, 0 m], [36 m, 12 m]]\"",
+                              input.has("polygon") ? "both" : "none"));
+            } else if (region.base && input.has("polygon")) {
+              input.at("base").problem("has a meaning only with a surface; remove it");
+            }
+          })
+          .format();
+  std::vector<Document> branches;
+  for (const char* key : {"polygon", "surface"}) {
+    Document branch = Document::map();
+    branch.set("required", Document::list({Document::text(key)}));
+    branches.push_back(std::move(branch));
+  }
+  format.schema.set("oneOf", Document::list(std::move(branches)));
+  return format;
+}
+
+/// What a region with a surface fills; nothing, and a problem, if the line does not cover the domain.
+std::vector<Point> polygon_below(const Input& region, const RegionText& text, const Domain& domain) {
+  const Input surface = region.at("surface");
+  const std::vector<Point> line = read_profile(surface, *text.surface);
+  if (line.empty()) return {};
+  const double tolerance = 1.0e-9 * domain.cell_size;
+  if (line.front()[0] > domain.lower[0] + tolerance || line.back()[0] < domain.upper[0] - tolerance) {
+    surface.at("file").problem(fmt::format(
+        "{} goes from x = {:g} m to {:g} m and does not cover the domain, from {:g} m to {:g} m; add points "
+        "or make the domain smaller",
+        text.surface->file, line.front()[0], line.back()[0], domain.lower[0], domain.upper[0]));
+    return {};
+  }
+  return region_below(line, text.surface->depth, text.base.value_or(domain.lower[1]), domain);
+}
+
 /// The regions, whose soils go by name.
 Field<Case> geometry_field() {
-  const auto format =
-      list_of(Record<RegionText>()
-                  .required("soil", &RegionText::soil, text(), "name of one of the soils", "sandy_clay")
-                  .required("polygon", &RegionText::polygon, list_of(pair_of(Dimension::length), 3),
-                            "corners in order, in either sense", "[[0 m, 0 m], [36 m, 0 m], [36 m, 12 m]]")
-                  .format(),
-              1);
+  const auto format = list_of(region_format(), 1);
   const auto read = [format](const Input& input, Case& result) {
     std::vector<RegionText> texts;
     format.read(input, texts);
+    const bool sound = input.clean("geometry") && input.clean("domain");
     std::vector<std::string> names;
     for (const Soil& soil : result.soils) names.push_back(soil.name);
     for (std::size_t i = 0; i < texts.size(); ++i) {
       const auto found = std::find(names.begin(), names.end(), texts[i].soil);
-      result.regions.push_back({static_cast<std::size_t>(found - names.begin()), std::move(texts[i].polygon)});
       const Input region = input.item(i);
+      if (sound && texts[i].surface) texts[i].polygon = polygon_below(region, texts[i], result.domain);
+      result.regions.push_back({static_cast<std::size_t>(found - names.begin()), std::move(texts[i].polygon)});
       if (found != names.end() || names.empty() || !region.has("soil")) continue;
       region.at("soil").problem(
           fmt::format("there is no soil \"{}\"{}", texts[i].soil, suggestion(texts[i].soil, names)));
@@ -84,7 +148,9 @@ Field<Case> geometry_field() {
   };
   const auto write = [format](const Case& input) {
     std::vector<RegionText> texts;
-    for (const Region& region : input.regions) texts.push_back({input.soils.at(region.soil).name, region.polygon});
+    for (const Region& region : input.regions) {
+      texts.push_back({input.soils.at(region.soil).name, region.polygon, {}, {}});
+    }
     return format.write(texts);
   };
   const std::string description = "regions filled with a soil; where two overlap, the later one holds";
@@ -198,10 +264,12 @@ Format<Figures> figures_format() {
 
 }  // namespace
 
-Format<std::string> include_format() {
+namespace {
+
+/// The path of a file, which is more than a number.
+Format<std::string> file_format(const std::string& expected) {
   Format<std::string> format = text();
-  format.read = [](const Input& input, std::string& value) {
-    const std::string expected = "the path of a case file, such as \"base.yaml\"";
+  format.read = [expected](const Input& input, std::string& value) {
     const auto path = expect_value(input, expected);
     if (!path) return;
     value = *path;
@@ -209,6 +277,16 @@ Format<std::string> include_format() {
   };
   format.schema.set("minLength", Document::number(1));
   return format;
+}
+
+}  // namespace
+
+Format<std::string> include_format() {
+  return file_format("the path of a case file, such as \"base.yaml\"");
+}
+
+Format<std::string> library_format() {
+  return file_format("the path of a soil library, such as \"soils.yaml\"");
 }
 
 Format<Case> case_format() {

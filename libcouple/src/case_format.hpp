@@ -12,6 +12,11 @@ namespace slope::couple {
 inline constexpr const char* include_key = "include";
 [[nodiscard]] Format<std::string> include_format();
 
+/// The keys under which a soil names the file that it comes from, and its name there.
+inline constexpr const char* library_key = "from";
+inline constexpr const char* library_soil_key = "soil";
+[[nodiscard]] Format<std::string> library_format();
+
 /// The keys of a water boundary of which it has exactly one.
 inline constexpr std::array water_conditions{"pressure", "total_head", "flux"};
 

@@ -96,10 +96,23 @@ Document exactly_one_condition() {
 
 Format<InitialWater> initial_water_format() {
   const Format<double> height = quantity(Dimension::length);
+  const Format<double> cap = quantity(Dimension::pressure, at_least(0.0));
+  const std::string cap_meaning = "suction that is not exceeded above the water table; without it there is no limit";
   Record<HydrostaticWater> hydrostatic;
   hydrostatic.required("water_table", &HydrostaticWater::water_table, height, "y of the water table", "3 m")
-      .optional("maximum_suction", &HydrostaticWater::maximum_suction, quantity(Dimension::pressure, at_least(0.0)),
-                "suction that is not exceeded above the water table; without it there is no limit");
+      .optional("maximum_suction", &HydrostaticWater::maximum_suction, cap, cap_meaning);
+  Record<WaterTable> water_table;
+  water_table
+      .required("points", &WaterTable::points, list_of(pair_of(Dimension::length), 2),
+                "the water table from left to right, level beyond its ends", "[[0 m, 3 m], [36 m, 6 m]]")
+      .optional("maximum_suction", &WaterTable::maximum_suction, cap, cap_meaning)
+      .check([](const Input& input, WaterTable& table) {
+        for (std::size_t i = 1; i < table.points.size(); ++i) {
+          if (table.points[i][0] > table.points[i - 1][0]) continue;
+          input.at("points").item(i).problem(fmt::format("x must be above that of the point before, {:g} m, got {:g} m",
+                                                         table.points[i - 1][0], table.points[i][0]));
+        }
+      });
   Record<UniformWater> uniform;
   uniform.required("pressure", &UniformWater::pressure, quantity(Dimension::pressure),
                    "pore-water pressure, positive in compression", "0 kPa");
@@ -107,6 +120,9 @@ Format<InitialWater> initial_water_format() {
   steady.required("water_table", &SteadyWater::water_table, height, "y of the water table in the first guess", "3 m");
   return Alternatives<InitialWater>("type")
       .add("hydrostatic", "at rest under a level water table, with suction above it", itself, hydrostatic)
+      .add("water_table",
+           "hydrostatic below and above a water table given as a line; an inclined one begins to flow at the start",
+           itself, water_table)
       .add("uniform", "the same pressure everywhere", itself, uniform)
       .add("steady", "steady seepage under the water boundaries with \"initial: true\"", itself, steady)
       .format();

@@ -7,9 +7,9 @@
 
 namespace slope::couple {
 
-GroundSurface::GroundSurface(std::span<const double> x, std::span<const double> y,
-                             const std::vector<std::size_t>& uppermost, double spacing) {
-  for (const std::size_t p : uppermost) points_.push_back({x[p], y[p] + 0.5 * spacing});
+GroundSurface::GroundSurface(const InitialParticles& particles, const std::vector<std::size_t>& uppermost) {
+  for (const std::size_t p : uppermost)
+    points_.push_back({particles.x[p], particles.y[p] + particles.face_distance[p]});
   std::ranges::sort(points_);
 }
 

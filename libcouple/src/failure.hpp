@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "slope/couple/geometry.hpp"
 #include "slope/couple/simulation.hpp"
 #include "slope/solid/particles.hpp"
 
@@ -11,8 +12,7 @@ namespace slope::couple {
 /// The ground surface at the start: the faces of the uppermost particles, from left to right.
 class GroundSurface {
  public:
-  GroundSurface(std::span<const double> x, std::span<const double> y, const std::vector<std::size_t>& uppermost,
-                double spacing);
+  GroundSurface(const InitialParticles& particles, const std::vector<std::size_t>& uppermost);
   /// Distance of a point from the surface, normal to it (m).
   [[nodiscard]] double depth(double x, double y) const;
 

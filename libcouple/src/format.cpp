@@ -173,6 +173,7 @@ Document object_schema(const std::vector<FieldHead>& fields) {
 }
 
 Document overlay_schema(const Document& schema) {
+  if (const Document* overlay = schema.find("then")) return overlay_schema(*overlay);
   const bool object = schema.find("properties") != nullptr;
   Document overlay = Document::map();
   for (const Document& keyword : schema.children) {

@@ -1,76 +1,292 @@
 #include "slope/couple/geometry.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
+#include <numeric>
 
+#include "cell_cut.hpp"
 #include "polygon.hpp"
 
 namespace slope::couple {
 
 namespace {
 
-/// A lattice point this close to an outline (in spacings) belongs to the region, whatever the rounding.
-constexpr double outline_tolerance = 1.0e-9;
+/// What is this close (in spacings) is in the same place, whatever the rounding.
+constexpr double tolerance = 1.0e-9;
+/// Share of a lattice square that does not count.
+constexpr double least_area = 1.0e-12;
+/// Share of a lattice square below which what is cut out of it makes no particle of its own.
+constexpr double least_share = 0.5;
 
-std::size_t cells_along(const Domain& domain, std::size_t axis) {
-  return static_cast<std::size_t>(std::llround((domain.upper[axis] - domain.lower[axis]) / domain.cell_size));
-}
+/// The squares of the particle lattice.
+struct Lattice {
+  explicit Lattice(const Domain& domain)
+      : per_side(static_cast<int>(std::lround(std::sqrt(domain.particles_per_cell)))),
+        columns(cells_along(domain, 0) * per_side),
+        rows(cells_along(domain, 1) * per_side),
+        spacing(domain.cell_size / per_side),
+        lower_(domain.lower),
+        cell_size_(domain.cell_size) {}
+
+  [[nodiscard]] Point corner(int column, int row) const { return {at(0, column, 0.0), at(1, row, 0.0)}; }
+  [[nodiscard]] Point centre(int column, int row) const { return {at(0, column, 0.5), at(1, row, 0.5)}; }
+
+  /// Calls `see(column, row)` for every square, grid cell by grid cell, row by row from below.
+  template <class See>
+  void each(See see) const {
+    for (int row = 0; row < rows; row += per_side) {
+      for (int column = 0; column < columns; column += per_side) {
+        for (int j = 0; j < per_side; ++j) {
+          for (int i = 0; i < per_side; ++i) see(column + i, row + j);
+        }
+      }
+    }
+  }
+
+  int per_side;
+  int columns, rows;
+  double spacing;
+
+ private:
+  static int cells_along(const Domain& domain, std::size_t axis) {
+    return static_cast<int>(std::llround((domain.upper[axis] - domain.lower[axis]) / domain.cell_size));
+  }
+  [[nodiscard]] double at(std::size_t axis, int line, double share) const {
+    return lower_[axis] + cell_size_ * (line / per_side + (line % per_side + share) / per_side);
+  }
+
+  Point lower_;
+  double cell_size_;
+};
+
+/// What becomes a particle.
+struct Piece {
+  Point position{0.0, 0.0};
+  double volume = 0.0;
+  int soil = 0;
+  int column = 0, row = 0;
+  std::array<double, 4> contact{};  // length of soil on the left, right, lower and upper side of a cut square (m)
+};
 
 /// The last of the regions that holds the point; -1 if none does.
-int region_at(const std::vector<Region>& regions, const Point& point, double tolerance) {
+int region_at(const std::vector<Region>& regions, const Point& point, double distance) {
   for (std::size_t i = regions.size(); i-- > 0;) {
-    if (contains(regions[i].polygon, point, tolerance)) return static_cast<int>(i);
+    if (contains(regions[i].polygon, point, distance)) return static_cast<int>(i);
   }
   return -1;
 }
 
-/// Number of lattice columns (or rows) between the lowest coordinate and this one.
-long line_of(double coordinate, double lowest, double spacing) {
-  return std::lround((coordinate - lowest) / spacing);
+/// The outlines of the regions, sorted into the lattice columns that they touch.
+class Outlines {
+ public:
+  Outlines(const Lattice& lattice, const std::vector<Region>& regions)
+      : lattice_(lattice), edges_(static_cast<std::size_t>(lattice.columns)) {
+    for (std::size_t r = 0; r < regions.size(); ++r) {
+      const std::vector<Point>& polygon = regions[r].polygon;
+      for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const auto [left, right] = std::minmax(polygon[i], polygon[(i + 1) % polygon.size()]);
+        add({left, right, r});
+      }
+    }
+  }
+
+  [[nodiscard]] const std::vector<Edge>& over(int column) const { return edges_[static_cast<std::size_t>(column)]; }
+
+  /// Whether an outline runs through the inside of a square.
+  [[nodiscard]] bool cut(int column, int row) const {
+    const Point corner = lattice_.corner(column, row);
+    const double margin = tolerance * lattice_.spacing;
+    const Point low{corner[0] + margin, corner[1] + margin};
+    const Point high{corner[0] + lattice_.spacing - margin, corner[1] + lattice_.spacing - margin};
+    return std::any_of(over(column).begin(), over(column).end(), [&](const Edge& edge) {
+      if (edge.right[0] <= low[0] || edge.left[0] >= high[0]) return false;
+      const bool vertical = edge.left[0] == edge.right[0];
+      const double first = vertical ? edge.left[1] : edge.height_at(std::max(edge.left[0], low[0]));
+      const double last = vertical ? edge.right[1] : edge.height_at(std::min(edge.right[0], high[0]));
+      return std::max(first, last) > low[1] && std::min(first, last) < high[1];
+    });
+  }
+
+ private:
+  void add(const Edge& edge) {
+    const double first = (edge.left[0] - lattice_.corner(0, 0)[0]) / lattice_.spacing;
+    const double last = (edge.right[0] - lattice_.corner(0, 0)[0]) / lattice_.spacing;
+    const int from = std::max(0, static_cast<int>(std::floor(first)) - 1);
+    const int to = std::min(lattice_.columns - 1, static_cast<int>(std::floor(last)) + 1);
+    for (int column = from; column <= to; ++column) edges_[static_cast<std::size_t>(column)].push_back(edge);
+  }
+
+  const Lattice& lattice_;
+  std::vector<std::vector<Edge>> edges_;
+};
+
+/// The soil with the largest share; of equal ones the one laid last.
+int largest_soil(const CellCut& cut, const std::vector<Region>& regions) {
+  std::size_t best = 0;
+  double largest = -1.0;
+  for (std::size_t i = regions.size(); i-- > 0;) {
+    double share = 0.0;
+    for (std::size_t j = 0; j < regions.size(); ++j) {
+      if (regions[j].soil == regions[i].soil) share += cut.share[j];
+    }
+    if (share > largest) {
+      largest = share;
+      best = regions[i].soil;
+    }
+  }
+  return static_cast<int>(best);
 }
+
+std::vector<Piece> whole_pieces(const Lattice& lattice, const std::vector<Region>& regions) {
+  std::vector<Piece> pieces;
+  lattice.each([&](int column, int row) {
+    const Point centre = lattice.centre(column, row);
+    const int region = region_at(regions, centre, tolerance * lattice.spacing);
+    if (region < 0) return;
+    const int soil = static_cast<int>(regions[static_cast<std::size_t>(region)].soil);
+    pieces.push_back({centre, lattice.spacing * lattice.spacing, soil, column, row, {}});
+  });
+  return pieces;
+}
+
+std::vector<Piece> cut_pieces(const Lattice& lattice, const std::vector<Region>& regions) {
+  const Outlines outlines(lattice, regions);
+  const double whole = lattice.spacing * lattice.spacing;
+  std::vector<Piece> pieces;
+  lattice.each([&](int column, int row) {
+    const Point centre = lattice.centre(column, row);
+    if (!outlines.cut(column, row)) {
+      const int region = region_at(regions, centre, tolerance * lattice.spacing);
+      if (region < 0) return;
+      const int soil = static_cast<int>(regions[static_cast<std::size_t>(region)].soil);
+      pieces.push_back({centre, whole, soil, column, row, {}});
+      return;
+    }
+    const CellCut cut = cut_cell(lattice.corner(column, row), lattice.spacing, outlines.over(column), regions.size());
+    if (cut.area < least_area * whole) return;
+    const int soil = largest_soil(cut, regions);
+    if (cut.area > (1.0 - least_area) * whole) {
+      pieces.push_back({centre, whole, soil, column, row, {}});
+    } else {
+      pieces.push_back({cut.centroid, cut.area, soil, column, row, cut.contact});
+    }
+  });
+  return pieces;
+}
+
+/// Joins what is too small for a particle to a neighbour.
+class SliverJoin {
+ public:
+  SliverJoin(const Lattice& lattice, std::vector<Piece>& pieces)
+      : lattice_(lattice), pieces_(pieces), joined_to_(pieces.size()) {
+    std::iota(joined_to_.begin(), joined_to_.end(), std::size_t{0});
+    for (std::size_t p = 0; p < pieces.size(); ++p) at_[{pieces[p].column, pieces[p].row}] = p;
+  }
+
+  void run() {
+    std::vector<std::size_t> order;
+    for (std::size_t p = 0; p < pieces_.size(); ++p) {
+      if (is_sliver(p)) order.push_back(p);
+    }
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return pieces_[a].volume < pieces_[b].volume; });
+    for (const std::size_t p : order) {
+      if (is_sliver(p)) join(p);
+    }
+    std::size_t kept = 0;
+    for (std::size_t p = 0; p < pieces_.size(); ++p) {
+      if (joined_to_[p] == p) pieces_[kept++] = pieces_[p];
+    }
+    pieces_.resize(kept);
+  }
+
+ private:
+  [[nodiscard]] bool is_sliver(std::size_t p) const {
+    return pieces_[p].volume < least_share * lattice_.spacing * lattice_.spacing;
+  }
+
+  [[nodiscard]] std::size_t whole_of(std::size_t p) const {
+    while (joined_to_[p] != p) p = joined_to_[p];
+    return p;
+  }
+
+  /// To the neighbour that is no sliver itself and has the longest side in common; among slivers if there is no other.
+  /// A piece that touches nothing stays as it is.
+  void join(std::size_t p) {
+    constexpr std::array<std::array<int, 2>, 4> steps{{{-1, 0}, {1, 0}, {0, -1}, {0, 1}}};
+    std::size_t best = p;
+    for (std::size_t side = 0; side < steps.size(); ++side) {
+      if (pieces_[p].contact[side] <= tolerance * lattice_.spacing) continue;
+      const auto found = at_.find({pieces_[p].column + steps[side][0], pieces_[p].row + steps[side][1]});
+      if (found == at_.end()) continue;
+      const std::size_t q = whole_of(found->second);
+      if (q == p) continue;
+      const auto rank = [&](std::size_t piece, double contact) { return std::pair(!is_sliver(piece), contact); };
+      if (best != p && rank(q, pieces_[p].contact[side]) <= rank(best, contact_)) continue;
+      best = q;
+      contact_ = pieces_[p].contact[side];
+    }
+    if (best == p) return;
+    Piece& sliver = pieces_[p];
+    Piece& other = pieces_[best];
+    const double volume = sliver.volume + other.volume;
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      other.position[axis] = (sliver.volume * sliver.position[axis] + other.volume * other.position[axis]) / volume;
+    }
+    other.volume = volume;
+    joined_to_[p] = best;
+  }
+
+  const Lattice& lattice_;
+  std::vector<Piece>& pieces_;
+  std::vector<std::size_t> joined_to_;
+  std::map<std::array<int, 2>, std::size_t> at_;
+  double contact_ = 0.0;
+};
 
 }  // namespace
 
 InitialParticles fill_regions(const Domain& domain, const std::vector<Region>& regions) {
-  const int per_side = static_cast<int>(std::lround(std::sqrt(domain.particles_per_cell)));
+  const Lattice lattice(domain);
+  std::vector<Piece> pieces;
+  if (domain.surface_particles == SurfaceParticles::clipped) {
+    pieces = cut_pieces(lattice, regions);
+    SliverJoin(lattice, pieces).run();
+  } else {
+    pieces = whole_pieces(lattice, regions);
+  }
   InitialParticles particles;
-  particles.spacing = domain.cell_size / per_side;
-  for (std::size_t row = 0; row < cells_along(domain, 1); ++row) {
-    for (std::size_t column = 0; column < cells_along(domain, 0); ++column) {
-      for (int j = 0; j < per_side; ++j) {
-        for (int i = 0; i < per_side; ++i) {
-          const Point point{domain.lower[0] + domain.cell_size * (static_cast<double>(column) + (i + 0.5) / per_side),
-                            domain.lower[1] + domain.cell_size * (static_cast<double>(row) + (j + 0.5) / per_side)};
-          const int region = region_at(regions, point, outline_tolerance * particles.spacing);
-          if (region < 0) continue;
-          particles.x.push_back(point[0]);
-          particles.y.push_back(point[1]);
-          particles.volume.push_back(particles.spacing * particles.spacing);
-          particles.soil.push_back(static_cast<int>(regions[static_cast<std::size_t>(region)].soil));
-        }
-      }
-    }
+  particles.spacing = lattice.spacing;
+  const double whole = lattice.spacing * lattice.spacing;
+  for (const Piece& piece : pieces) {
+    particles.x.push_back(piece.position[0]);
+    particles.y.push_back(piece.position[1]);
+    particles.volume.push_back(piece.volume);
+    particles.soil.push_back(piece.soil);
+    particles.column.push_back(piece.column);
+    particles.row.push_back(piece.row);
+    particles.face_distance.push_back(0.5 * lattice.spacing * (piece.volume / whole));
   }
   return particles;
 }
 
 std::vector<std::size_t> particles_at(const PlaceRange& where, const InitialParticles& particles) {
-  if (particles.x.empty()) return {};
   const bool by_column = where.place == Place::ground_surface || where.place == Place::base;
   const bool outermost_is_largest = where.place == Place::ground_surface || where.place == Place::right;
+  const std::vector<int>& line = by_column ? particles.column : particles.row;
   const std::vector<double>& across = by_column ? particles.x : particles.y;
   const std::vector<double>& outwards = by_column ? particles.y : particles.x;
 
-  const double lowest = *std::min_element(across.begin(), across.end());
-  std::map<long, std::size_t> outermost;
+  std::map<int, std::size_t> outermost;
   for (std::size_t p = 0; p < across.size(); ++p) {
-    const auto [entry, first] = outermost.try_emplace(line_of(across[p], lowest, particles.spacing), p);
+    const auto [entry, first] = outermost.try_emplace(line[p], p);
     const double beyond = outwards[p] - outwards[entry->second];
     if (!first && (outermost_is_largest ? beyond > 0.0 : beyond < 0.0)) entry->second = p;
   }
   std::vector<std::size_t> chosen;
-  for (const auto& [line, p] : outermost) {
+  for (const auto& [number, p] : outermost) {
     if (across[p] >= where.from && across[p] <= where.to) chosen.push_back(p);
   }
   return chosen;

@@ -15,12 +15,24 @@ constexpr double longest_search = 40.0;  // first periods
 
 }  // namespace
 
+double WaterTable::height_at(double x) const {
+  const auto right = std::ranges::find_if(points, [&](const Point& point) { return point[0] >= x; });
+  if (right == points.end()) return points.back()[1];
+  if (right == points.begin()) return points.front()[1];
+  const Point& a = *(right - 1);
+  const Point& b = *right;
+  return a[1] + (b[1] - a[1]) * ((x - a[0]) / (b[0] - a[0]));
+}
+
 std::vector<double> initial_pressure(const Case& input, const InitialParticles& particles) {
   const double unit_weight = input.water.density * input.gravity;
   std::vector<double> pressure(particles.x.size());
   for (std::size_t p = 0; p < pressure.size(); ++p) {
     if (const auto* hydrostatic = std::get_if<HydrostaticWater>(&input.initial_water)) {
       pressure[p] = std::max(unit_weight * (hydrostatic->water_table - particles.y[p]), -hydrostatic->maximum_suction);
+    } else if (const auto* table = std::get_if<WaterTable>(&input.initial_water)) {
+      const double height = table->height_at(particles.x[p]);
+      pressure[p] = std::max(unit_weight * (height - particles.y[p]), -table->maximum_suction);
     } else if (const auto* uniform = std::get_if<UniformWater>(&input.initial_water)) {
       pressure[p] = uniform->pressure;
     } else {

@@ -42,6 +42,10 @@ void Input::problem(std::string message) const {
   problems_->push_back({node_->file, node_->line, key_, std::move(message)});
 }
 
+void Input::problem_in(const std::string& file, int line, std::string message) const {
+  problems_->push_back({file, line, key_, std::move(message)});
+}
+
 void Input::problem_with(std::string_view name, std::string message) const {
   Input(*this, *node_, joined_key(key_, name)).problem(std::move(message));
 }

@@ -21,6 +21,8 @@ class Input {
 
   /// Says what is wrong here.
   void problem(std::string message) const;
+  /// Says what is wrong in a line of another file that this place names.
+  void problem_in(const std::string& file, int line, std::string message) const;
   /// Says what is wrong with an entry that is missing from this map.
   void problem_with(std::string_view name, std::string message) const;
   [[nodiscard]] std::size_t problem_count() const { return problems_->size(); }

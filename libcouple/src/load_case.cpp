@@ -7,10 +7,12 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
+#include <map>
 #include <sstream>
 #include <utility>
 
 #include "case_format.hpp"
+#include "suggestion.hpp"
 
 namespace slope::couple {
 
@@ -28,6 +30,22 @@ std::string content_of(const fs::path& file) {
   if (!stream.is_open() || stream.bad())
     throw FileError(fmt::format("{}: cannot be read: {}", file.string(), std::strerror(errno)));
   return content.str();
+}
+
+/// A file error says who asked for the file.
+std::string content_for(const Document& place, const fs::path& file) {
+  try {
+    return content_of(file);
+  } catch (const FileError& error) {
+    throw FileError(Problem{place.file, place.line, place.key, error.what()}.text());
+  }
+}
+
+void refuse_missing(const Input& place, const fs::path& file, const std::vector<Problem>& problems) {
+  std::error_code error;
+  if (fs::exists(file, error) || error) return;
+  place.problem(fmt::format("there is no file {}; the path counts from the folder of this file", file.string()));
+  throw InputError(problems);
 }
 
 /// A case file being read, and its bases.
@@ -56,13 +74,9 @@ class Loader {
     include_format().read(include, name);
     if (problems_.size() > before) throw InputError(problems_);
     const fs::path file = folder / name;
-    std::error_code error;
-    if (!fs::exists(file, error) && !error) {
-      include.problem(fmt::format("there is no file {}; the path counts from the folder of this file", file.string()));
-      throw InputError(problems_);
-    }
+    refuse_missing(include, file, problems_);
     refuse_circle(include, file);
-    const Document base = load(file, content_of_base(include.node(), file));
+    const Document base = load(file, content_for(include.node(), file));
     if (!expect_map(Input(base, file.string(), problems_), 0)) throw InputError(problems_);
     return base;
   }
@@ -78,15 +92,6 @@ class Loader {
     include.problem(fmt::format("goes in a circle: {} -> {}; remove one of these includes", fmt::join(circle, " -> "),
                                 circle.front()));
     throw InputError(problems_);
-  }
-
-  /// A file error says who asked for the file.
-  static std::string content_of_base(const Document& include, const fs::path& file) {
-    try {
-      return content_of(file);
-    } catch (const FileError& error) {
-      throw FileError(Problem{include.file, include.line, include.key, error.what()}.text());
-    }
   }
 
   std::vector<Problem>& problems_;
@@ -150,6 +155,54 @@ Document merged_lists(const Document& base, const Document& over) {
   return result;
 }
 
+/// The file that a soil names, read once.
+const Document& library_at(const Input& from, std::map<fs::path, Document>& libraries, std::vector<std::string>& files,
+                           std::vector<Problem>& problems) {
+  std::string path;
+  const std::size_t before = problems.size();
+  library_format().read(from, path);
+  if (problems.size() > before) throw InputError(problems);
+  const std::string& named_in = from.node().file == override_source ? from.file() : from.node().file;
+  const fs::path file = fs::path(named_in).parent_path() / path;
+  const auto known = libraries.find(file);
+  if (known != libraries.end()) return known->second;
+  refuse_missing(from, file, problems);
+  Document library = parse_yaml(content_for(from.node(), file), file.string(), problems);
+  if (library.kind == Document::Kind::empty) throw InputError(problems);
+  files.push_back(file.string());
+  return libraries.emplace(file, std::move(library)).first->second;
+}
+
+/// A soil of a library with everything that the case says in its place.
+Document library_soil(const Input& place, std::map<fs::path, Document>& libraries, std::vector<std::string>& files,
+                      std::vector<Problem>& problems) {
+  const Input from = place.at(library_key);
+  const Document& library = library_at(from, libraries, files, problems);
+  const Document* soils = library.find("soils");
+  if (soils == nullptr || soils->kind != Document::Kind::map || soils->children.empty()) {
+    from.problem(fmt::format("{} has no soils; it needs the key \"soils\" with a map of them", library.file));
+    throw InputError(problems);
+  }
+  Document over = place.node();
+  std::string name = over.key;
+  if (place.has(library_soil_key)) {
+    const std::size_t before = problems.size();
+    text().read(place.at(library_soil_key), name);
+    if (problems.size() > before) throw InputError(problems);
+  }
+  const Document* soil = soils->find(name);
+  if (soil == nullptr) {
+    std::vector<std::string> names;
+    for (const Document& entry : soils->children) names.push_back(entry.key);
+    place.at(place.has(library_soil_key) ? library_soil_key : library_key)
+        .problem(fmt::format("{} has no soil \"{}\"{}", soils->file, name, suggestion(name, names)));
+    throw InputError(problems);
+  }
+  std::erase_if(over.children,
+                [](const Document& entry) { return entry.key == library_key || entry.key == library_soil_key; });
+  return merged(*soil, over);
+}
+
 }  // namespace
 
 Document merged(const Document& base, const Document& over) {
@@ -163,6 +216,20 @@ LoadedCase load_case(const fs::path& file, std::vector<Problem>& problems) {
   Loader loader(problems);
   Document document = loader.load(file, content_of(file));
   return {std::move(document), std::move(loader).files()};
+}
+
+void take_library_soils(Document& document, const fs::path& file, std::vector<std::string>& files,
+                        std::vector<Problem>& problems) {
+  const std::string name = file.string();
+  Document* soils = document.find("soils");
+  if (soils == nullptr || soils->kind != Document::Kind::map) return;
+  std::map<fs::path, Document> libraries;
+  for (std::size_t i = 0; i < soils->children.size(); ++i) {
+    Document& soil = soils->children[i];
+    if (soil.find(library_key) == nullptr) continue;
+    const Input place = Input(document, name, problems).at("soils").at(soil.key);
+    soil = library_soil(place, libraries, files, problems);
+  }
 }
 
 }  // namespace slope::couple

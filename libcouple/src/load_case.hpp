@@ -19,6 +19,12 @@ struct LoadedCase {
 /// @throws InputError if a file holds no case or an include leads nowhere; FileError if a file cannot be read.
 [[nodiscard]] LoadedCase load_case(const std::filesystem::path& file, std::vector<Problem>& problems);
 
+/// Puts the soils that come from a library (key `from`) in their places: see merged().
+/// @param files  takes the names of the libraries
+/// @throws InputError if a library holds no such soil or is not there; FileError if it cannot be read.
+void take_library_soils(Document& document, const std::filesystem::path& file, std::vector<std::string>& files,
+                        std::vector<Problem>& problems);
+
 /// The base with everything that `over` says in its place:
 /// - maps are merged key by key, and so are the entries of two lists whose items all have a name, by these names;
 /// - a value or another list takes the place of what the base has;

@@ -12,11 +12,11 @@ namespace slope::couple {
 
 namespace {
 
-/// Overrides first, then file by file and line by line.
+/// Overrides first, then file by file and line by line, then the tables that they name.
 void sort_by_place(std::vector<Problem>& problems, const std::vector<std::string>& files) {
   const auto place = [&](const Problem& problem) {
     const auto file = std::find(files.begin(), files.end(), problem.file);
-    return std::pair(file == files.end() ? 0 : file - files.begin() + 1, problem.line);
+    return std::pair(problem.file == override_source ? 0 : file - files.begin() + 1, problem.line);
   };
   std::stable_sort(problems.begin(), problems.end(),
                    [&](const Problem& a, const Problem& b) { return place(a) < place(b); });
@@ -38,6 +38,7 @@ Case read_case(const std::filesystem::path& file, const std::vector<std::string>
   std::vector<Problem> problems;
   auto [document, files] = load_case(file, problems);
   for (const std::string& assignment : overrides) apply_override(document, assignment, problems);
+  take_library_soils(document, file, files, problems);
 
   Case result;
   result.path = name;

@@ -71,7 +71,7 @@ struct Simulation::State {
         conditions(input, particles),
         scheme(make_scheme(input)),
         clock(clock_limits(scheme, input, mixture), scale, conditions.change_times()),
-        surface(particles.x, particles.y, particles_at({}, particles), particles.spacing),
+        surface(particles, particles_at({}, particles)),
         time_step(stable_step(scheme, mixture, input.numerics.courant_number)),
         snapshot_times(input.output.snapshots) {
     for (const VerificationPoint& point : input.points) followed.push_back(nearest_particle(particles, point.position));

@@ -134,6 +134,27 @@ Format<seepage::RelativePermeability> permeability_format() {
       .format();
 }
 
+/// Soils of a library are put in before a case is read: what is still there is in the library itself.
+Field<Soil> library_field() {
+  const std::string description =
+      "another file with soils, path from this one: its keys hold where this soil does not give them";
+  return {{library_key, false, "", described(library_format().schema, description)},
+          [](const Input& input, Soil&) { input.problem("cannot stand in a library; write the soil out there"); },
+          [](const Soil&) { return Document{}; }};
+}
+
+Field<Soil> library_soil_field() {
+  const std::string description = "name of the soil in the file that it comes from, if it has another name there";
+  return {{library_soil_key, false, "", described(text().schema, description)},
+          [](const Input& input, Soil&) {
+            input.problem(
+                fmt::format("is the name of a soil in another file; write for example \"{}: soils.yaml\" "
+                            "beside it, or remove it",
+                            library_key));
+          },
+          [](const Soil&) { return Document{}; }};
+}
+
 /// Takes what the Mualem law leaves open from the retention curve.
 void complete_mualem(const Input& input, Soil& soil) {
   auto* mualem = std::get_if<seepage::VanGenuchtenMualem>(&soil.seepage.relative_permeability.law);
@@ -153,7 +174,9 @@ void complete_mualem(const Input& input, Soil& soil) {
 }  // namespace
 
 Format<Soil> soil_format() {
-  return Record<Soil>()
+  Record<Soil> record;
+  record.field(library_field())
+      .field(library_soil_field())
       .required(
           "youngs_modulus", [](auto& soil) -> auto& { return soil.solid.elastic.youngs_modulus; },
           quantity(Dimension::pressure, above(0.0)), "E, of the skeleton", "10 MPa")
@@ -178,8 +201,14 @@ Format<Soil> soil_format() {
           "relative_permeability", [](auto& soil) -> auto& { return soil.seepage.relative_permeability; },
           permeability_format(), "share of the conductivity that is left in unsaturated soil",
           "{model: hillel, exponent: 2}")
-      .check(complete_mualem)
-      .format();
+      .check(complete_mualem);
+  Format<Soil> format = record.format();
+  Document from_library = Document::map();
+  from_library.set("required", Document::list({Document::text(library_key)}));
+  Document either = Document::map();
+  either.set("if", std::move(from_library)).set("then", overlay_schema(format.schema)).set("else", format.schema);
+  format.schema = std::move(either);
+  return format;
 }
 
 }  // namespace slope::couple

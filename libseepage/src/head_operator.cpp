@@ -31,6 +31,9 @@ bool HeadOperator::update(const Skeleton& skeleton) {
       farthest = std::max(farthest, dx * dx + dy * dy);
     }
     if (farthest <= limit * limit) return false;
+  } else {
+    share_.resize(n);
+    for (std::size_t p = 0; p < n; ++p) share_[p] = skeleton.volume[p] / (spacing_ * spacing_);
   }
   x_weighted_.assign(skeleton.x.begin(), skeleton.x.end());
   y_weighted_.assign(skeleton.y.begin(), skeleton.y.end());
@@ -42,7 +45,7 @@ bool HeadOperator::update(const Skeleton& skeleton) {
 
 void HeadOperator::find_pair_factors(const Skeleton& skeleton) {
   const std::size_t n = skeleton.size();
-  const MomentCorrection correction(images_, skeleton.volume, kernel_, spacing_, threads_);
+  const MomentCorrection correction(images_, skeleton.volume, share_, kernel_, spacing_, threads_);
   factor_.assign(neighbours_.index.size(), 0.0);
   conductance_.resize(factor_.size());
   diagonal_.resize(n);

@@ -52,8 +52,8 @@ double along(double x, double y, double xx, double xy, double yy) {
 
 }  // namespace
 
-MomentCorrection::MomentCorrection(const Images& images, std::span<const double> volume, const WendlandC2& kernel,
-                                   double spacing, int threads)
+MomentCorrection::MomentCorrection(const Images& images, std::span<const double> volume, std::span<const double> share,
+                                   const WendlandC2& kernel, double spacing, int threads)
     : images_(images),
       threads_(threads),
       at_surface_(images.size()),
@@ -62,7 +62,7 @@ MomentCorrection::MomentCorrection(const Images& images, std::span<const double>
       response_(images.size()),
       tensor_(images.size()),
       vector_(2 * images.size()) {
-  find_surface(kernel, spacing);
+  find_surface(share, kernel, spacing);
   find_surface_layer();
   find_responses();
   std::vector<Tensor> old = tensor_;
@@ -113,7 +113,7 @@ MomentCorrection::FlatSurface MomentCorrection::flat_surface(const WendlandC2& k
 }
 
 // Which particles are the outermost, and the first moments wanted.
-void MomentCorrection::find_surface(const WendlandC2& kernel, double spacing) {
+void MomentCorrection::find_surface(std::span<const double> share, const WendlandC2& kernel, double spacing) {
   const FlatSurface flat = flat_surface(kernel, spacing);
   const double corner_area = std::sqrt(2.0);
 #pragma omp parallel for schedule(static) num_threads(threads_) if (threads_ > 1)
@@ -138,7 +138,7 @@ void MomentCorrection::find_surface(const WendlandC2& kernel, double spacing) {
     const double nx = first.x / length, ny = first.y / length;
     const double lack = flat.along - along(-ny, nx, second.xx, second.xy, second.yy);
     const double area = 1.0 + (corner_area - 1.0) * ramp(lack, corner_begins, corner_full);
-    const double wanted = at_surface_[p] * area * 0.5 / spacing;
+    const double wanted = at_surface_[p] * area * 0.5 / spacing / share[p];
     first_moment_[p] = {wanted * nx, wanted * ny};
   }
 }

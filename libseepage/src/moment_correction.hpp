@@ -18,14 +18,15 @@ namespace slope::seepage {
 /// - B gives the second moment sum_q w_pq c_pq r r = I, hence the right conductivity in every direction. At a free
 ///   surface the condition across the surface is dropped: the first moment decides there.
 /// - a gives the first moment sum_q w_pq c_pq r = 0 inside, hence no residual under a linear head; and n / (2 d) in the
-///   outermost particles of a free surface of outward normal n, d the spacing, which is what a linear head drives
-///   through their share of that surface.
+///   outermost particles of a free surface of outward normal n, d their volume over the spacing, which is what a linear
+///   head drives through their share of that surface.
 /// Mirror images of neighbours take part, with B and a mirrored.
 class MomentCorrection {
  public:
   /// @param images  with weights scaled by lattice_scale(); @param volume  V of each particle (m2)
-  MomentCorrection(const Images& images, std::span<const double> volume, const WendlandC2& kernel, double spacing,
-                   int threads);
+  /// @param share  volume of each particle at the start over the square of the spacing (-)
+  MomentCorrection(const Images& images, std::span<const double> volume, std::span<const double> share,
+                   const WendlandC2& kernel, double spacing, int threads);
 
   /// c_pq, kept within bounds that are positive; images must be those of the constructor.
   [[nodiscard]] double operator()(std::size_t p, const Image& image) const;
@@ -43,7 +44,7 @@ class MomentCorrection {
     double along;      // second moment along the surface (-)
   };
   [[nodiscard]] static FlatSurface flat_surface(const WendlandC2& kernel, double spacing);
-  void find_surface(const WendlandC2& kernel, double spacing);
+  void find_surface(std::span<const double> share, const WendlandC2& kernel, double spacing);
   void find_surface_layer();
   void find_responses();
   void sweep_second_moments(const std::vector<Tensor>& old);

@@ -253,12 +253,101 @@ TEST_F(SlopeSim, CheckOfAFineCaseSaysWhatItHolds) {
 TEST_F(SlopeSim, CheckPassesOnEveryShippedCase) {
   std::size_t files = 0;
   for (const auto& entry : fs::recursive_directory_iterator(SLOPE_CASES)) {
-    if (entry.path().extension() != ".yaml") continue;
+    if (entry.path().extension() != ".yaml" || entry.path().filename() == "soils.yaml") continue;
     ++files;
     const Outcome outcome = call({"check", entry.path()});
     EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
   }
   EXPECT_GE(files, 8u);
+}
+
+TEST_F(SlopeSim, NewWritesACaseThatIsFineAndRuns) {
+  const fs::path file = scratch_ / "mine.yaml";
+  const Outcome outcome = call({"new", file});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
+  EXPECT_EQ(outcome.output, file.string() + ": written; slope-sim run " + file.string() + " -o results\n");
+  const Outcome check = call({"check", file});
+  EXPECT_EQ(check.exit_code, 0) << check.errors;
+  EXPECT_EQ(check.errors, "");
+  const Outcome run = call({"run", file, "-o", scratch_ / "run", "--set", "stop.time=1 s"});
+  EXPECT_EQ(run.exit_code, 0) << run.errors;
+}
+
+TEST_F(SlopeSim, WhatTheNewCaseCommentsOutIsFineToo) {
+  const fs::path file = scratch_ / "mine.yaml";
+  ASSERT_EQ(call({"new", file}).exit_code, 0);
+  std::string content = content_of(file);
+  for (const std::string key :
+       {"gravity: 9.81", "water:\n", "  density: 1000", "  bulk_modulus: 2 GPa", "maximum_suction: 50", "from: 0 m",
+        "to: 11 m", "loads:\n", "  - {name: fill", "after_onset: 10", "snapshots: [5 s"}) {
+    const std::size_t at = content.find("# " + key);
+    ASSERT_NE(at, std::string::npos) << key;
+    content.erase(at, 2);
+  }
+  const Outcome check = call({"check", write("all.yaml", content)});
+  EXPECT_EQ(check.exit_code, 0) << check.errors;
+}
+
+TEST_F(SlopeSim, NewLeavesAnExistingFileAlone) {
+  const fs::path file = write("mine.yaml", "precious");
+  const Outcome outcome = call({"new", file});
+  EXPECT_EQ(outcome.exit_code, 4);
+  EXPECT_EQ(outcome.errors, file.string() + ": exists already; choose another name\n");
+  EXPECT_EQ(content_of(file), "precious");
+  EXPECT_EQ(call({"new", scratch_ / "none" / "mine.yaml"}).exit_code, 4);
+}
+
+/// A VTK file with these points (x y z) and these lines (numbers of points).
+std::string poly_lines(const std::vector<std::string>& points, const std::vector<std::vector<int>>& lines) {
+  std::string all, connectivity, offsets;
+  for (const std::string& point : points) all += point + " ";
+  std::size_t end = 0;
+  for (const auto& line : lines) {
+    for (const int point : line) connectivity += std::to_string(point) + " ";
+    offsets += std::to_string(end += line.size()) + " ";
+  }
+  return "<VTKFile type=\"PolyData\" version=\"0.1\"><PolyData><Piece NumberOfPoints=\"" +
+         std::to_string(points.size()) + "\" NumberOfLines=\"" + std::to_string(lines.size()) +
+         "\"><Points><DataArray type=\"Float64\" NumberOfComponents=\"3\" format=\"ascii\">" + all +
+         "</DataArray></Points><Lines><DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\">" +
+         connectivity + "</DataArray><DataArray type=\"Int64\" Name=\"offsets\" format=\"ascii\">" + offsets +
+         "</DataArray></Lines></Piece></PolyData></VTKFile>\n";
+}
+
+TEST_F(SlopeSim, ProfileTurnsAPolyLineIntoATable) {
+  const fs::path table = scratch_ / "ground.csv";
+  const std::vector<std::string> points{"11 5 0", "0 1 0", "2.5 1 0", "7.2 5 0"};
+  for (const auto& lines : std::vector<std::vector<std::vector<int>>>{{{1, 2, 3, 0}}, {{0, 3}, {3, 2}, {2, 1}}}) {
+    fs::remove(table);
+    const Outcome outcome = call({"profile", write("ground.vtp", poly_lines(points, lines)), "-o", table});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
+    EXPECT_EQ(content_of(table), "x_m,y_m\n0,1\n2.5,1\n7.2,5\n11,5\n");
+  }
+  std::string content = content_of(quick);
+  const std::string polygon = "polygon: [[0 m, 0 m], [11 m, 0 m], [11 m, 5 m], [7.2 m, 5 m], [2.5 m, 1 m], [0 m, 1 m]]";
+  ASSERT_NE(content.find(polygon), std::string::npos);
+  content.replace(content.find(polygon), polygon.size(), "surface: {file: ground.csv}");
+  const Outcome check = call({"check", write("case.yaml", content)});
+  EXPECT_EQ(check.exit_code, 0) << check.errors;
+  EXPECT_NE(check.output.find("fine: 569 particles"), std::string::npos) << "as with the polygon: " << check.output;
+}
+
+TEST_F(SlopeSim, ProfileRefusesWhatIsNoGroundSurface) {
+  const auto errors = [&](const std::string& content) {
+    const Outcome outcome = call({"profile", write("ground.vtp", content), "-o", scratch_ / "ground.csv"});
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_FALSE(fs::exists(scratch_ / "ground.csv"));
+    return outcome.errors;
+  };
+  const std::string file = (scratch_ / "ground.vtp").string();
+  EXPECT_EQ(errors(poly_lines({"0 0 0", "1 0 0", "2 0 0", "3 0 0"}, {{0, 1}, {2, 3}})),
+            file + ": holds more than one poly-line; keep the one of the ground surface\n");
+  EXPECT_EQ(errors(poly_lines({"0 0 0"}, {})),
+            file + ": holds no poly-line; write the ground surface as one line of points\n");
+  EXPECT_EQ(errors(poly_lines({"0 0 0", "2 0 0", "1 1 0", "3 1 0"}, {{0, 1, 2, 3}})),
+            file + ": the poly-line turns back at x = 1 m; a ground surface has no overhang\n");
+  EXPECT_EQ(errors("x_m,y_m\n0,1\n"), file + ": is not a VTK PolyData file (.vtp)\n");
+  EXPECT_EQ(call({"profile", scratch_ / "none.vtp", "-o", scratch_ / "ground.csv"}).exit_code, 4);
 }
 
 TEST_F(SlopeSim, SchemaAndVersionArePrinted) {

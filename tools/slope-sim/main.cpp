@@ -7,9 +7,11 @@
 #include <string>
 #include <vector>
 
+#include "profile_file.hpp"
 #include "run.hpp"
 #include "slope/couple/geometry.hpp"
 #include "slope/couple/read_case.hpp"
+#include "starter_case.hpp"
 
 namespace {
 
@@ -43,12 +45,22 @@ ExitCode fail(const std::exception& error, ExitCode code) {
   return code;
 }
 
-ExitCode execute(const CLI::App& app, const slope::tools::RunOptions& options) {
+/// Files of the two commands that make one.
+struct FileOptions {
+  std::string poly_line, profile, starter;
+};
+
+ExitCode execute(const CLI::App& app, const slope::tools::RunOptions& options, const FileOptions& files) {
   try {
     if (app.got_subcommand("schema")) {
       fmt::print("{}", slope::couple::case_schema());
     } else if (app.got_subcommand("check")) {
       check(options.case_file.string(), options.overrides);
+    } else if (app.got_subcommand("new")) {
+      slope::tools::write_starter_case(files.starter);
+      fmt::print("{}: written; slope-sim run {} -o results\n", files.starter, files.starter);
+    } else if (app.got_subcommand("profile")) {
+      slope::tools::write_profile(files.profile, slope::tools::read_poly_line(files.poly_line));
     } else {
       return slope::tools::run(options);
     }
@@ -86,6 +98,13 @@ int main(int argc, char** argv) {
   CLI::App* check = app.add_subcommand("check", "Says what is wrong with a case, or that it is fine");
   add_case(*check, case_file, options.overrides);
   app.add_subcommand("schema", "Prints the JSON Schema of case files");
+  FileOptions files;
+  CLI::App* starter = app.add_subcommand("new", "Writes a small, commented case to start from");
+  starter->add_option("FILE", files.starter, "Case file to write; an existing one is left alone")->required();
+  CLI::App* profile = app.add_subcommand("profile", "Turns a VTK poly-line into a table for geometry.surface");
+  profile->add_option("VTP", files.poly_line, "VTK PolyData file (.vtp): x to the right, y upwards, in metres")
+      ->required();
+  profile->add_option("-o,--output", files.profile, "CSV file to write")->required();
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -93,5 +112,5 @@ int main(int argc, char** argv) {
   }
   options.case_file = case_file;
   options.folder = folder;
-  return static_cast<int>(execute(app, options));
+  return static_cast<int>(execute(app, options, files));
 }

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
+#include <random>
 
 #include "case_folder.hpp"
+#include "cell_cut.hpp"
 #include "polygon.hpp"
 #include "slope/couple/geometry.hpp"
 #include "slope/couple/read_case.hpp"
@@ -14,6 +17,11 @@ namespace {
 
 const std::vector<Point> unit_square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
 const Domain two_by_two{{0.0, 0.0}, {2.0, 2.0}, 0.5, 4};
+
+Domain clipped(Domain domain) {
+  domain.surface_particles = SurfaceParticles::clipped;
+  return domain;
+}
 
 double area_of(const InitialParticles& particles) {
   return std::accumulate(particles.volume.begin(), particles.volume.end(), 0.0);
@@ -86,6 +94,153 @@ TEST(FillRegions, ThePapersSlopeHasThePrototypesParticles) {
   const auto particles = fill_regions(input.domain, input.regions);
   EXPECT_EQ(particles.x.size(), 5089u);
   EXPECT_NEAR(area_of(particles), std::abs(signed_area(input.regions.at(0).polygon)), 0.003 * area_of(particles));
+}
+
+/// Area and first moments of a polygon (m2, m3), by Green's theorem.
+std::array<double, 3> moments_of(const std::vector<Point>& polygon) {
+  std::array<double, 3> moments{};
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Point& a = polygon[i];
+    const Point& b = polygon[(i + 1) % polygon.size()];
+    const double twice = a[0] * b[1] - b[0] * a[1];
+    moments[0] += twice / 2.0;
+    moments[1] += twice * (a[0] + b[0]) / 6.0;
+    moments[2] += twice * (a[1] + b[1]) / 6.0;
+  }
+  if (moments[0] < 0.0) std::transform(moments.begin(), moments.end(), moments.begin(), std::negate<>());
+  return moments;
+}
+
+std::array<double, 3> moments_of(const InitialParticles& particles) {
+  std::array<double, 3> moments{};
+  for (std::size_t p = 0; p < particles.x.size(); ++p) {
+    moments[0] += particles.volume[p];
+    moments[1] += particles.volume[p] * particles.x[p];
+    moments[2] += particles.volume[p] * particles.y[p];
+  }
+  return moments;
+}
+
+/// A polygon with a corner in each of so many directions, at random distances from its middle: not convex.
+std::vector<Point> random_star(std::mt19937& generator, const Point& middle, double reach) {
+  std::uniform_real_distribution<double> distance(0.4 * reach, reach);
+  std::uniform_int_distribution<int> count(3, 12);
+  const int corners = count(generator);
+  std::vector<Point> polygon;
+  for (int i = 0; i < corners; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / corners, r = distance(generator);
+    polygon.push_back({middle[0] + r * std::cos(angle), middle[1] + r * std::sin(angle)});
+  }
+  return polygon;
+}
+
+TEST(CutCell, HasTheAreaTheCentroidAndTheSidesOfATriangle) {
+  const std::vector<Edge> edges{{{0.0, 0.0}, {2.0, 0.0}, 0}, {{0.0, 0.0}, {2.0, 1.0}, 0}};  // its third is vertical
+  const CellCut cut = cut_cell({1.0, 0.0}, 1.0, edges, 1);
+  EXPECT_DOUBLE_EQ(cut.area, 0.75);
+  EXPECT_DOUBLE_EQ(cut.centroid[0], 1.0 + 5.0 / 9.0);
+  EXPECT_DOUBLE_EQ(cut.centroid[1], 7.0 / 18.0);
+  EXPECT_DOUBLE_EQ(cut.contact[0], 0.5);
+  EXPECT_DOUBLE_EQ(cut.contact[1], 1.0);
+  EXPECT_DOUBLE_EQ(cut.contact[2], 1.0);
+  EXPECT_EQ(cut.contact[3], 0.0);
+}
+
+TEST(CutCell, ALaterRegionTakesFromAnEarlierOne) {
+  const std::vector<Edge> edges{{{0.0, 0.0}, {1.0, 0.0}, 0},
+                                {{0.0, 0.5}, {1.0, 0.5}, 0},
+                                {{0.0, 1.0}, {1.0, 0.0}, 1},  // above the falling diagonal, below y = 2
+                                {{0.0, 2.0}, {1.0, 2.0}, 1}};
+  const CellCut cut = cut_cell({0.0, 0.0}, 1.0, edges, 2);
+  EXPECT_DOUBLE_EQ(cut.share[0], 0.375);
+  EXPECT_DOUBLE_EQ(cut.share[1], 0.5);
+  EXPECT_DOUBLE_EQ(cut.area, 0.875);
+}
+
+TEST(ClippedParticles, HaveTheAreaAndTheCentroidOfAnyPolygon) {
+  std::mt19937 generator(7);
+  for (int trial = 0; trial < 200; ++trial) {
+    const Domain domain = clipped({{-1.0, 2.0}, {1.0, 4.0}, 0.25, trial % 2 == 0 ? 4 : 9});
+    const std::vector<Point> polygon = random_star(generator, {0.0, 3.0}, 0.95);
+    const auto wanted = moments_of(polygon);
+    const auto particles = fill_regions(domain, {{0, polygon}});
+    const auto reached = moments_of(particles);
+    EXPECT_NEAR(reached[0], wanted[0], 1.0e-13);
+    EXPECT_NEAR(reached[1], wanted[1], 1.0e-13);
+    EXPECT_NEAR(reached[2], wanted[2], 1.0e-12);
+    const double whole = particles.spacing * particles.spacing;
+    EXPECT_GE(*std::min_element(particles.volume.begin(), particles.volume.end()), whole / 2.0) << "no sliver";
+    EXPECT_LE(*std::max_element(particles.volume.begin(), particles.volume.end()), 3.0 * whole);
+  }
+}
+
+TEST(ClippedParticles, OfRegionsThatOverlapHaveTheAreaOfTheirUnion) {
+  const std::vector<Point> low{{0, 0}, {2, 0}, {2, 1.1}, {0, 0.3}};
+  const std::vector<Point> lens{{0.3, 0.2}, {1.7, 0.6}, {1.5, 0.7}, {0.4, 0.4}};
+  const std::vector<Point> square_above{{1.2, 0.9}, {1.9, 0.9}, {1.9, 1.7}, {1.2, 1.7}};  // half of it is in the air
+  const auto particles = fill_regions(clipped(two_by_two), {{0, low}, {1, lens}, {2, square_above}});
+  const double shared = 0.5 * 0.4 * 0.16;  // of low and the square above: below y = 0.3 + 0.4 x, right of x = 1.5
+  EXPECT_NEAR(area_of(particles), signed_area(low) + signed_area(square_above) - shared, 1.0e-13);
+}
+
+TEST(ClippedParticles, OfALatticeAlignedRegionAreThoseOfTheLattice) {
+  const std::vector<Region> regions{{0, {{0, 0}, {2, 0}, {2, 1.5}, {0.75, 1.5}, {0.75, 1}, {0, 1}}}, {1, unit_square}};
+  for (const int per_cell : {1, 4, 9, 16}) {
+    Domain domain{{0.0, 0.0}, {2.0, 2.0}, 0.25, per_cell};
+    const auto lattice = fill_regions(domain, regions);
+    const auto exact = fill_regions(clipped(domain), regions);
+    EXPECT_EQ(exact.x, lattice.x);
+    EXPECT_EQ(exact.y, lattice.y);
+    EXPECT_EQ(exact.volume, lattice.volume);
+    EXPECT_EQ(exact.soil, lattice.soil);
+    EXPECT_EQ(exact.face_distance, lattice.face_distance);
+    EXPECT_EQ(exact.face_distance, std::vector<double>(exact.x.size(), 0.5 * exact.spacing));
+  }
+}
+
+TEST(ClippedParticles, OfFlatGroundBetweenLatticeLinesLieHalfTheirHeightBelowIt) {
+  for (const double height : {1.05, 1.1, 1.2, 1.24}) {
+    const auto particles = fill_regions(clipped(two_by_two), {{0, {{0, 0}, {2, 0}, {2, height}, {0, height}}}});
+    const auto surface = particles_at({Place::ground_surface}, particles);
+    ASSERT_EQ(surface.size(), 8u);
+    for (const std::size_t p : surface) {
+      EXPECT_NEAR(particles.y[p] + particles.face_distance[p], height, 1.0e-12) << "the face is the ground";
+    }
+  }
+}
+
+TEST(ClippedParticles, FollowThePapersSlopeWithoutSteps) {
+  const Case input = read_case(shipped_cases() / "paper/slope-w2.yaml", {"domain.surface_particles=clipped"});
+  const auto particles = fill_regions(input.domain, input.regions);
+  EXPECT_NEAR(area_of(particles), std::abs(signed_area(input.regions.at(0).polygon)), 1.0e-10);
+  const auto surface = particles_at({Place::ground_surface}, particles);
+  ASSERT_EQ(surface.size(), 144u);
+  double least = 1.0, largest = 0.0;
+  for (const std::size_t p : surface) {
+    const double ground = particles.x[p] < 10.0 ? 5.0 : std::min(12.0, 5.0 + (particles.x[p] - 10.0) / 1.8);
+    least = std::min(least, ground - particles.y[p]);
+    largest = std::max(largest, ground - particles.y[p]);
+  }
+  EXPECT_GT(least, 0.05);
+  EXPECT_LT(largest, 0.22) << "the lattice's steps reach 0.25 m";
+}
+
+TEST(ClippedParticles, AnInterfaceFollowsTheLatticeAndKeepsTheTotal) {
+  const std::vector<Point> under{{0, 0}, {2, 0}, {2, 1.4}, {0, 0.6}};
+  const auto particles = fill_regions(clipped(two_by_two), {{0, {{0, 0}, {2, 0}, {2, 2}, {0, 2}}}, {1, under}});
+  EXPECT_EQ(particles.x.size(), 64u);
+  double lower = 0.0;
+  for (std::size_t p = 0; p < particles.x.size(); ++p) {
+    EXPECT_EQ(particles.volume[p], 0.0625);
+    if (particles.soil[p] == 1) lower += particles.volume[p];
+  }
+  EXPECT_NEAR(lower, signed_area(under), 1.0e-12) << "what one column has too much, another lacks";
+}
+
+TEST(ClippedParticles, ASpeckThatTouchesNothingIsKept) {
+  const auto particles = fill_regions(clipped(two_by_two), {{0, {{0.6, 0.6}, {0.65, 0.6}, {0.65, 0.65}}}});
+  ASSERT_EQ(particles.x.size(), 1u);
+  EXPECT_NEAR(particles.volume[0], 0.00125, 1.0e-15);
 }
 
 TEST(ParticlesAt, TheGroundSurfaceIsTheUppermostOfEachColumn) {

@@ -109,6 +109,23 @@ TEST(HeadOperator, ConductsTowardsAFreeSurfaceExactly) {
   for (int line = 1; line < 12; ++line) EXPECT_NEAR(conduction(block, op, 0.5 * line) / 4.0, 1.0, 5e-4) << line;
 }
 
+TEST(HeadOperator, ConductsTowardsASurfaceOfThinOrThickParticles) {
+  for (const double thickness : {0.5, 0.7, 1.3, 1.5}) {
+    auto block = lattice(12, 8, 0.5);
+    for (std::size_t p = 11; p < block.size(); p += 12) {
+      block.x[p] = 0.5 * (11.0 + 0.5 * thickness);
+      block.volume[p] *= thickness;
+    }
+    HeadOperator op(0.5, smoothing_ratio, {.base = 0.0, .top = 4.0}, 1);
+    op.update(block.skeleton());
+    op.set_conductivity(std::vector<double>(block.size(), 1.0));
+    for (int line = 1; line < 12; ++line) {
+      EXPECT_NEAR(conduction(block, op, 0.5 * line) / 4.0, 1.0, thickness < 0.6 ? 0.1 : 5e-4)
+          << thickness << " " << line;
+    }
+  }
+}
+
 TEST(HeadOperator, ALatticeOfOblongsConductsExactlyInBothDirections) {
   auto block = lattice(15, 15, 1.0);
   for (double& y : block.y) y *= 0.8;

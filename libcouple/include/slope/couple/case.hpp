@@ -17,12 +17,16 @@ using Point = std::array<double, 2>;
 
 inline constexpr double never = std::numeric_limits<double>::infinity();
 
+/// How particles fill the squares of the lattice that an outline cuts: not at all or whole, or by what is inside.
+enum class SurfaceParticles { lattice, clipped };
+
 /// The background grid. Its sides are the walls; the top is open.
 struct Domain {
   Point lower{0.0, 0.0};       ///< lower left corner (m)
   Point upper{0.0, 0.0};       ///< upper right corner (m); each side a whole number of cells
   double cell_size = 0.0;      ///< (m), > 0
   int particles_per_cell = 4;  ///< 1, 4, 9 or 16: a square lattice in each cell
+  SurfaceParticles surface_particles = SurfaceParticles::lattice;
 };
 
 enum class Wall { free, roller, fixed };
@@ -52,6 +56,15 @@ struct HydrostaticWater {
   double water_table = 0.0;        ///< y of P_w = 0 (m)
   double maximum_suction = never;  ///< cap of the suction (Pa), >= 0
 };
+/// Hydrostatic pressure below and suction above a water table given as a line, column by column. Where the line is
+/// inclined this is not at rest: it begins to flow.
+struct WaterTable {
+  std::vector<Point> points;       ///< from left to right (m), x ascending; level beyond the first and the last
+  double maximum_suction = never;  ///< cap of the suction (Pa), >= 0
+
+  /// y of P_w = 0 (m)
+  [[nodiscard]] double height_at(double x) const;
+};
 /// The same pore pressure everywhere (Pa, positive in compression).
 struct UniformWater {
   double pressure = 0.0;
@@ -60,7 +73,7 @@ struct UniformWater {
 struct SteadyWater {
   double water_table = 0.0;  ///< y of P_w = 0 in the first guess (m)
 };
-using InitialWater = std::variant<HydrostaticWater, UniformWater, SteadyWater>;
+using InitialWater = std::variant<HydrostaticWater, WaterTable, UniformWater, SteadyWater>;
 
 enum class InitialStress { self_weight, none };
 

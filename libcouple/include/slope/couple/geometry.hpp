@@ -9,13 +9,20 @@ namespace slope::couple {
 
 /// Particles of a case before the first step, in the order of their ids (by grid cell, row by row from below).
 struct InitialParticles {
-  std::vector<double> x, y;    ///< positions (m)
-  std::vector<double> volume;  ///< per metre of thickness (m2)
-  std::vector<int> soil;       ///< index into Case::soils
-  double spacing = 0.0;        ///< lattice spacing (m)
+  std::vector<double> x, y;           ///< positions (m)
+  std::vector<double> volume;         ///< per metre of thickness (m2)
+  std::vector<int> soil;              ///< index into Case::soils
+  std::vector<int> column, row;       ///< of the lattice
+  std::vector<double> face_distance;  ///< from a face of the particle's column or row (m): half of the volume over the
+                                      ///< spacing
+  double spacing = 0.0;               ///< lattice spacing (m)
 };
 
-/// Fills the regions with a square lattice of particles: those lattice points that lie inside a polygon.
+/// Fills the regions with particles on a square lattice, by the rule of domain.surface_particles.
+/// - lattice: a whole particle at each lattice point that lies inside a polygon.
+/// - clipped: a particle for each lattice square that the regions cut, with the volume and the centroid of the part cut
+///   out, so that the volumes add up to the area of the regions to rounding. A part below half of a square is joined
+///   to the neighbour that it touches. Where soils meet, a square belongs to the one with the largest share of it.
 [[nodiscard]] InitialParticles fill_regions(const Domain& domain, const std::vector<Region>& regions);
 
 /// Particles of a place: the uppermost of each lattice column (ground_surface), the lowest (base),
