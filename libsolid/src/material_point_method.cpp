@@ -27,23 +27,38 @@ SolidError::SolidError(std::size_t at, const std::string& name, double bad)
 
 MaterialPointMethod::MaterialPointMethod(const Grid& grid, std::vector<Soil> soils, Particles particles,
                                          const Settings& settings)
-    : grid_(grid),
-      soils_(std::move(soils)),
-      materials_(soils_.begin(), soils_.end()),
-      particles_(std::move(particles)),
-      settings_(settings) {
+    : grid_(grid), soils_(std::move(soils)), particles_(std::move(particles)), settings_(settings) {
   require(grid_.cell_size > 0.0 && grid_.columns > 0 && grid_.rows > 0, "the grid has no cells");
   require(settings_.threads > 0, "there must be a thread at least");
   require(settings_.flip_fraction <= 1.0, "the share of FLIP is above one");
   const std::size_t n = particles_.size();
   const Particles& p = particles_;
-  for (const auto* field : {&p.y, &p.ux, &p.uy, &p.vx, &p.vy, &p.cxx, &p.cxy, &p.cyx, &p.cyy, &p.sxx, &p.syy, &p.szz,
-                            &p.sxy, &p.exx, &p.eyy, &p.exy, &p.volume, &p.solid_mass, &p.porosity}) {
+  for (const auto* field : {&p.y,
+                            &p.ux,
+                            &p.uy,
+                            &p.vx,
+                            &p.vy,
+                            &p.cxx,
+                            &p.cxy,
+                            &p.cyx,
+                            &p.cyy,
+                            &p.sxx,
+                            &p.syy,
+                            &p.szz,
+                            &p.sxy,
+                            &p.exx,
+                            &p.eyy,
+                            &p.exy,
+                            &p.plastic_strain,
+                            &p.volume,
+                            &p.solid_mass,
+                            &p.porosity}) {
     require(field->size() == n, "the particles' arrays differ in length");
   }
   require(p.soil.size() == n, "the particles' arrays differ in length");
   for (const std::uint16_t soil : p.soil) require(soil < soils_.size(), "a particle names a soil that is not there");
 
+  for (const Soil& soil : soils_) materials_.emplace_back(soil, grid_.cell_size);
   weights_.resize(n);
   grid_cell_of_.resize(n);
   cell_of_.resize(n);

@@ -133,6 +133,9 @@ std::string full_case() {
           "  - {name: river, at: left, to: 2 m, total_head: 2.5 m, applied_to: face, initial: true}\n"
           "  - {name: drizzle, at: right, from: 11 m, flux: 36 mm/h, start: 3 min}\n");
   replace("skeleton: deformable", "skeleton: rigid");
+  replace("model: drucker_prager\n",
+          "model: mohr_coulomb\n      softening: {residual_cohesion: 0.5 kPa, residual_friction_angle: 20 deg, "
+          "from_plastic_strain: 1 %, to_plastic_strain: 10 %, characteristic_length: 0.25 m}\n");
   replace("relative_permeability: {model: hillel, exponent: 2}",
           "relative_permeability: {model: van_genuchten_mualem, floor: 1e-7}");
   content +=
@@ -164,6 +167,14 @@ TEST(CaseValues, EveryKeyReachesTheCase) {
   EXPECT_EQ(input.tractions[0].traction, (Point{0.0, -1.0e4}));
   EXPECT_EQ(input.tractions[0].start, 3600.0);
   EXPECT_EQ(input.skeleton, Skeleton::rigid);
+  const auto& strength = std::get<solid::MohrCoulomb>(input.soils.at(0).solid.strength);
+  EXPECT_EQ(strength.cohesion, 1.0e3);
+  ASSERT_TRUE(strength.softening.has_value());
+  EXPECT_EQ(strength.softening->residual_cohesion, 500.0);
+  EXPECT_NEAR(strength.softening->residual_friction_angle, 20.0 * std::numbers::pi / 180.0, 1e-15);
+  EXPECT_EQ(strength.softening->range.from, 0.01);
+  EXPECT_EQ(strength.softening->range.to, 0.1);
+  EXPECT_EQ(strength.softening->range.characteristic_length, 0.25);
   const auto& permeability = input.soils.at(0).seepage.relative_permeability;
   EXPECT_EQ(std::get<seepage::VanGenuchtenMualem>(permeability.law).n, 3.0);
   EXPECT_EQ(permeability.floor, 1.0e-7);
@@ -186,9 +197,9 @@ TEST(CaseValues, EveryKeyIsWrittenBack) {
   const CaseFolder folder;
   const std::string resolved = resolved_yaml(read_case(folder.write("slope.yaml", full_case())));
   EXPECT_EQ(resolved_yaml(read_case(folder.write("resolved.yaml", resolved))), resolved);
-  for (const char* line :
-       {"gravity: 3.71 m/s2", "type: steady", "total_head: 2.5 m", "flux: 1e-05 m/s", "flip_fraction: 0.95",
-        "applied_to: face", "initial: true", "youngs_modulus: 10 MPa", "friction_angle: 25 deg"}) {
+  for (const char* line : {"gravity: 3.71 m/s2", "type: steady", "total_head: 2.5 m", "flux: 1e-05 m/s",
+                           "flip_fraction: 0.95", "applied_to: face", "initial: true", "model: mohr_coulomb",
+                           "to_plastic_strain: 0.1", "youngs_modulus: 10 MPa", "friction_angle: 25 deg"}) {
     EXPECT_NE(resolved.find(line), std::string::npos) << line << "\n" << resolved;
   }
 }

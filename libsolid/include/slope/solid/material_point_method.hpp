@@ -3,16 +3,15 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstddef>
-#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "slope/solid/drucker_prager.hpp"
 #include "slope/solid/grid.hpp"
 #include "slope/solid/particles.hpp"
 #include "slope/solid/soil.hpp"
+#include "slope/solid/strength_law.hpp"
 
 namespace slope::solid {
 
@@ -56,9 +55,9 @@ struct ParticleTraction {
 
 /// What one step moves.
 struct StepMode {
-  bool yields = true;  ///< false: elastic, whatever the strength
-  bool moves = true;   ///< false: stress builds up at fixed positions, volumes and porosity
-  bool accumulates_strain = true;
+  bool yields = true;              ///< false: elastic, whatever the strength
+  bool moves = true;               ///< false: stress builds up at fixed positions, volumes and porosity
+  bool accumulates_strain = true;  ///< false: neither strain nor plastic strain is added up
 };
 
 /// Sums over the grid of the latest step, for histories and control.
@@ -144,10 +143,10 @@ class MaterialPointMethod {
   using CellGradient = std::array<Eigen::Array2d, 16>;
   // What the loop over the particles needs of a soil, worked out once.
   struct Material {
-    explicit Material(const Soil& soil);
+    Material(const Soil& soil, double cell_size);
     Elastic elastic;
     double shear, lame;
-    std::optional<SuctionDependentCone> cone;
+    StrengthLaw strength;
   };
 
   template <class Shape>
