@@ -30,7 +30,11 @@ Point face_of(Place place) {
 }  // namespace
 
 BoundaryConditions::BoundaryConditions(const Case& input, const InitialParticles& particles)
-    : water_(input.water_boundaries), tractions_(input.tractions), spacing_(particles.spacing) {
+    : water_(input.water_boundaries),
+      tractions_(input.tractions),
+      seismic_(input.seismic),
+      gravity_(input.gravity),
+      spacing_(particles.spacing) {
   const auto add_times = [this](double start, double ramp) {
     change_times_.push_back(start);
     if (ramp > 0.0) change_times_.push_back(start + ramp);
@@ -44,6 +48,9 @@ BoundaryConditions::BoundaryConditions(const Case& input, const InitialParticles
     traction_particles_.push_back(particles_at(traction.where, particles));
     add_times(traction.start, traction.ramp);
   }
+  if (seismic_.horizontal_coefficient != 0.0 || seismic_.vertical_coefficient != 0.0) {
+    add_times(seismic_.start, seismic_.ramp);
+  }
   std::ranges::sort(change_times_);
   const auto repeated = std::ranges::unique(change_times_);
   change_times_.erase(repeated.begin(), repeated.end());
@@ -56,6 +63,8 @@ void BoundaryConditions::apply(double time, const Mixture& mixture, Actions& act
   actions.water.inflows.clear();
   actions.water.count = water_.size();
   actions.tractions.clear();
+  const double shaking = time >= seismic_.start ? gravity_ * ramp_share(time, seismic_.start, seismic_.ramp) : 0.0;
+  actions.body_acceleration = {shaking * seismic_.horizontal_coefficient, shaking * seismic_.vertical_coefficient};
   for (std::size_t b = 0; b < water_.size(); ++b) {
     if (time >= water_[b].start) add_water(b, ramp_share(time, water_[b].start, water_[b].ramp), mixture, actions);
   }

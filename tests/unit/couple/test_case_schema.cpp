@@ -233,6 +233,11 @@ TEST_F(CaseSchema, EveryAlternativeIsAccepted) {
       "soils.silty_sand.relative_permeability={model: exponential, alpha: 1 1/m}",
       "soils.silty_sand.relative_permeability={model: van_genuchten_mualem, n: 2, residual_saturation: 0, "
       "maximum_saturation: 1}",
+      "walls={left: friction, right: absorbing, base: friction, left_friction: 0.2, base_friction: 0.4, "
+      "absorbing_depth: "
+      "20 m}",
+      "seismic={horizontal_coefficient: 0.1, vertical_coefficient: -5 %, start: 1 s, ramp: 2 s}",
+      "initial={water: {type: uniform, pressure: 0 kPa}, stress: k0, k0_coefficient: 0.6}",
       "initial.water={type: uniform, pressure: -3 kPa}",
       "initial.water={type: hydrostatic, water_table: 2 m, maximum_suction: 50 kPa}",
   };

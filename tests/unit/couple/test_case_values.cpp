@@ -132,6 +132,9 @@ std::string full_case() {
           "water_boundaries:\n"
           "  - {name: river, at: left, to: 2 m, total_head: 2.5 m, applied_to: face, initial: true}\n"
           "  - {name: drizzle, at: right, from: 11 m, flux: 36 mm/h, start: 3 min}\n");
+  replace("left: roller, right: roller, base: fixed",
+          "left: friction, right: roller, base: absorbing, left_friction: 0.3, absorbing_depth: 20 m");
+  replace("stress: self_weight", "stress: k0\n  k0_coefficient: 0.6");
   replace("skeleton: deformable", "skeleton: rigid");
   replace("model: drucker_prager\n",
           "model: mohr_coulomb\n      softening: {residual_cohesion: 0.5 kPa, residual_friction_angle: 20 deg, "
@@ -140,6 +143,7 @@ std::string full_case() {
           "relative_permeability: {model: van_genuchten_mualem, floor: 1e-7}");
   content +=
       "  snapshots: [3 s, 1 s, 3 s]\n"
+      "seismic: {horizontal_coefficient: 0.1, vertical_coefficient: -5 %, start: 2 s, ramp: 3 s}\n"
       "numerics: {shape_function: linear, flip_fraction: 95 %, courant_number: 0.3, pressure_tolerance: 0.1, "
       "smoothing_length: 1.3}\n"
       "clock: {adaptive: false, inertia_limit: 0.1, change_fraction: 0.2, maximum_factor: 10}\n"
@@ -175,6 +179,17 @@ TEST(CaseValues, EveryKeyReachesTheCase) {
   EXPECT_EQ(strength.softening->range.from, 0.01);
   EXPECT_EQ(strength.softening->range.to, 0.1);
   EXPECT_EQ(strength.softening->range.characteristic_length, 0.25);
+  EXPECT_EQ(input.walls.left, Wall::friction);
+  EXPECT_EQ(input.walls.left_friction, 0.3);
+  EXPECT_EQ(input.walls.right_friction, std::nullopt);
+  EXPECT_EQ(input.walls.base, Wall::absorbing);
+  EXPECT_EQ(input.walls.absorbing_depth, 20.0);
+  EXPECT_EQ(input.seismic.horizontal_coefficient, 0.1);
+  EXPECT_EQ(input.seismic.vertical_coefficient, -0.05);
+  EXPECT_EQ(input.seismic.start, 2.0);
+  EXPECT_EQ(input.seismic.ramp, 3.0);
+  EXPECT_EQ(input.initial_stress, InitialStress::k0);
+  EXPECT_EQ(input.k0_coefficient, 0.6);
   const auto& permeability = input.soils.at(0).seepage.relative_permeability;
   EXPECT_EQ(std::get<seepage::VanGenuchtenMualem>(permeability.law).n, 3.0);
   EXPECT_EQ(permeability.floor, 1.0e-7);
