@@ -109,7 +109,7 @@ void MaterialPointMethod::predict(double dt, const PoreState& pore, std::span<co
   } else {
     add_tractions<Linear>(tractions);
   }
-  fold_walls();
+  fold_walls(dt);
   if (settings_.averages_pressure && !pore.pressure.empty()) {
     find_pressure_force(pore.pressure);
     for (std::size_t i = 0; i < node_.size(); ++i) node_[i].force += pressure_force_[i];

@@ -4,9 +4,9 @@
 // energy. Linear shape functions do not reach such nodes.
 //
 // Where the node on the wall moves with v_w, by friction or because the wall absorbs, images are seen from there: the
-// velocity outside is 2 v_w - v of the node inside. What the particles gave the node outside then acts twice on the one
-// on the wall, and the image's mass brings 2 v_w to the one inside. At rest such a wall is a fixed one, to the last
-// bit.
+// velocity outside is 2 v_w - v of the node inside. With that constraint the momenta of the three nodes give two
+// equations for v_w and v, which are solved as they stand, with the mass that couples them: lumping it would make
+// energy. At rest such a wall is a fixed one, to the last bit.
 
 #include <algorithm>
 #include <cmath>
@@ -19,9 +19,10 @@ namespace {
 
 using Eigen::Array2d;
 
-// Friction follows the normal force over some ten steps. Following it at once, sliding and vibration across the wall
-// drive each other: elastic bodies in Coulomb friction are ill-posed without such a delay (Cochard and Rice 2000).
-constexpr double push_share = 0.1;
+// Friction follows the normal force over the time in which a wave crosses so many cells. Following it at once, sliding
+// and vibration across the wall drive each other: elastic bodies in Coulomb friction are ill-posed without such a delay
+// (Cochard and Rice 2000).
+constexpr double push_cells = 5.0;
 
 constexpr bool moves(Wall wall) {
   return wall == Wall::friction || wall == Wall::absorbing;
@@ -77,6 +78,7 @@ void for_each_image(const Grid& grid, const Act& act) {
 }  // namespace
 
 void MaterialPointMethod::find_wall_nodes() {
+  push_time_ = push_cells * stable_step(1.0, {});
   for_each_image(grid_, [&](const Side& side, const Image& image) {
     if (!image.moving) return;
     WallNode node;
@@ -90,7 +92,7 @@ void MaterialPointMethod::find_wall_nodes() {
   });
 }
 
-void MaterialPointMethod::fold_walls() {
+void MaterialPointMethod::fold_walls(double dt) {
   auto wall = wall_nodes_.begin();
   for_each_image(grid_, [&](const Side& /*side*/, const Image& image) {
     Node& from = node_[image.outside];
@@ -109,6 +111,7 @@ void MaterialPointMethod::fold_walls() {
   });
   // before the pore pressure's force comes in: friction knows the effective stress, and the weight of the half cell at
   // the wall
+  const double push_share = dt / (dt + push_time_);
   for (WallNode& node : wall_nodes_) {
     node.push += push_share * (-node.inwards * node_[node.on].force[node.normal] - node.push);
   }
@@ -160,14 +163,20 @@ void MaterialPointMethod::move_walls(double dt) {
   for (WallNode& wall : wall_nodes_) {
     Node& node = node_[wall.on];
     Array2d& response = response_[wall.on];
-    const double mass = node.mass + 2.0 * wall.image_mass;
+    Node& inside = node_[wall.inside];
+    // the equation of the node inside, taken out of that of the node on the wall
+    const Array2d share =
+        (response_[wall.inside] > 0.0).select(Array2d::Constant(2.0 * wall.image_mass / inside.mass), 0.0);
+    const Array2d mass = node.mass + wall.image_mass * (4.0 - 2.0 * share);
+    node.momentum += share * inside.momentum;
+    node.force += share * inside.force;
     if (wall.wall == Wall::friction) {
       const Eigen::Index along = 1 - wall.normal;
       if (response[along] > 0.0) {
         const double impulse = node.momentum[along] + dt * node.force[along];
         const double largest = wall.friction * std::max(wall.push, 0.0);
         const bool slides = std::abs(impulse) > dt * largest;
-        response[along] = slides ? 1.0 / mass : 0.0;
+        response[along] = slides ? 1.0 / mass[along] : 0.0;
         if (slides) node.force[along] -= std::copysign(largest, impulse);
       }
     } else if (walls_released_) {
@@ -178,7 +187,6 @@ void MaterialPointMethod::move_walls(double dt) {
     }
     const Array2d before = node.momentum * response;
     const Array2d after = (node.momentum + dt * node.force) * response;
-    Node& inside = node_[wall.inside];
     inside.momentum += 2.0 * wall.image_mass * before;
     inside.force += 2.0 * wall.image_mass / dt * (after - before);
   }

@@ -93,25 +93,25 @@ const Mistake physics[] = {
      "must be at least 0 deg and below 90 deg, got 90 deg"},
     {"DilatancyAboveFriction", "dilatancy_angle: 0 deg", "dilatancy_angle: 30 deg",
      "soils.sandy_clay.strength.dilatancy_angle", "must not exceed the friction angle of 25 deg, got 30 deg"},
-    {"SofteningBackwards", "friction_angle_suction_rate: 0 deg\n",
-     "friction_angle_suction_rate: 0 deg\n      softening: {residual_cohesion: 0 kPa, residual_friction_angle: 20 deg, "
+    {"SofteningBackwards", "cohesion: 1 kPa\n",
+     "cohesion: 1 kPa\n      softening: {residual_cohesion: 0 kPa, residual_friction_angle: 20 deg, "
      "from_plastic_strain: 10 %, to_plastic_strain: 1 %}\n",
      "soils.sandy_clay.strength.softening.to_plastic_strain", "must be above from_plastic_strain, 0.1, got 0.01", 1},
-    {"SofteningBelowZeroStrain", "friction_angle_suction_rate: 0 deg\n",
-     "friction_angle_suction_rate: 0 deg\n      softening: {residual_cohesion: 0 kPa, residual_friction_angle: 20 deg, "
+    {"SofteningBelowZeroStrain", "cohesion: 1 kPa\n",
+     "cohesion: 1 kPa\n      softening: {residual_cohesion: 0 kPa, residual_friction_angle: 20 deg, "
      "from_plastic_strain: -1 %, to_plastic_strain: 1 %}\n",
      "soils.sandy_clay.strength.softening.from_plastic_strain", "must be at least 0, got -1 %", 1},
-    {"ResidualCohesionAbovePeak", "friction_angle_suction_rate: 0 deg\n",
-     "friction_angle_suction_rate: 0 deg\n      softening: {residual_cohesion: 2 kPa, residual_friction_angle: 20 deg, "
+    {"ResidualCohesionAbovePeak", "cohesion: 1 kPa\n",
+     "cohesion: 1 kPa\n      softening: {residual_cohesion: 2 kPa, residual_friction_angle: 20 deg, "
      "from_plastic_strain: 0, to_plastic_strain: 1 %}\n",
      "soils.sandy_clay.strength.softening.residual_cohesion", "must not exceed cohesion, 1 kPa, got 2 kPa", 1},
-    {"ResidualFrictionAbovePeak", "friction_angle_suction_rate: 0 deg\n",
-     "friction_angle_suction_rate: 0 deg\n      softening: {residual_cohesion: 0 kPa, residual_friction_angle: 30 deg, "
+    {"ResidualFrictionAbovePeak", "cohesion: 1 kPa\n",
+     "cohesion: 1 kPa\n      softening: {residual_cohesion: 0 kPa, residual_friction_angle: 30 deg, "
      "from_plastic_strain: 0, to_plastic_strain: 1 %}\n",
      "soils.sandy_clay.strength.softening.residual_friction_angle",
      "must not exceed friction_angle, 25 deg, got 30 deg", 1},
-    {"SofteningWithoutResidual", "friction_angle_suction_rate: 0 deg\n",
-     "friction_angle_suction_rate: 0 deg\n      softening: {residual_cohesion: 0 kPa, from_plastic_strain: 0, "
+    {"SofteningWithoutResidual", "cohesion: 1 kPa\n",
+     "cohesion: 1 kPa\n      softening: {residual_cohesion: 0 kPa, from_plastic_strain: 0, "
      "to_plastic_strain: 1 %}\n",
      "soils.sandy_clay.strength.softening.residual_friction_angle",
      R"(missing; write for example "residual_friction_angle: 20 deg")", 1},

@@ -181,7 +181,7 @@ class MaterialPointMethod {
   void scatter(const PoreState& pore, const Eigen::Array2d& acceleration);
   template <class Shape>
   void add_tractions(std::span<const ParticleTraction> tractions);
-  void fold_walls();
+  void fold_walls(double dt);
   void hold_walls();
   void find_wall_nodes();
   void move_walls(double dt);
@@ -215,6 +215,7 @@ class MaterialPointMethod {
 
   std::vector<WallNode> wall_nodes_;  // in the order of their images, see for_each_image()
   bool walls_released_ = false;
+  double push_time_ = 0.0;  // over which friction follows the normal force (s)
 
   std::vector<Node> node_;
   std::vector<Eigen::Array2d> old_velocity_, velocity_;
