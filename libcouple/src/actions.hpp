@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "slope/seepage/boundary.hpp"
@@ -10,6 +11,7 @@ namespace slope::couple {
 /// What acts from outside during one step.
 struct Actions {
   std::vector<solid::ParticleTraction> tractions;
+  std::array<double, 2> body_acceleration{0.0, 0.0};  ///< besides gravity (m/s2)
   seepage::Boundary water;
 };
 

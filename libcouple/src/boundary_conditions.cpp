@@ -32,6 +32,8 @@ Point outwards_of(Place place) {
 BoundaryConditions::BoundaryConditions(const Case& input, const InitialParticles& particles)
     : water_(input.water_boundaries),
       tractions_(input.tractions),
+      seismic_(input.seismic),
+      gravity_(input.gravity),
       face_distance_(particles.face_distance),
       spacing_(particles.spacing) {
   const auto add_times = [this](double start, double ramp) {
@@ -47,6 +49,9 @@ BoundaryConditions::BoundaryConditions(const Case& input, const InitialParticles
     traction_particles_.push_back(particles_at(traction.where, particles));
     add_times(traction.start, traction.ramp);
   }
+  if (seismic_.horizontal_coefficient != 0.0 || seismic_.vertical_coefficient != 0.0) {
+    add_times(seismic_.start, seismic_.ramp);
+  }
   std::ranges::sort(change_times_);
   const auto repeated = std::ranges::unique(change_times_);
   change_times_.erase(repeated.begin(), repeated.end());
@@ -59,6 +64,8 @@ void BoundaryConditions::apply(double time, const Mixture& mixture, Actions& act
   actions.water.inflows.clear();
   actions.water.count = water_.size();
   actions.tractions.clear();
+  const double shaking = time >= seismic_.start ? gravity_ * ramp_share(time, seismic_.start, seismic_.ramp) : 0.0;
+  actions.body_acceleration = {shaking * seismic_.horizontal_coefficient, shaking * seismic_.vertical_coefficient};
   for (std::size_t b = 0; b < water_.size(); ++b) {
     if (time >= water_[b].start) add_water(b, ramp_share(time, water_[b].start, water_[b].ramp), mixture, actions);
   }

@@ -9,7 +9,7 @@
 
 namespace slope::couple {
 
-/// The case's water boundaries and tractions, tied to the particles that they were given at the start.
+/// The case's water boundaries, tractions and earthquake, tied to the particles that they were given at the start.
 class BoundaryConditions {
  public:
   BoundaryConditions(const Case& input, const InitialParticles& particles);
@@ -33,6 +33,8 @@ class BoundaryConditions {
 
   std::vector<WaterBoundary> water_;
   std::vector<Traction> tractions_;
+  Seismic seismic_;
+  double gravity_;
   std::vector<std::vector<std::size_t>> water_particles_, traction_particles_;
   std::vector<std::string> names_;
   std::vector<double> change_times_;

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "case_format.hpp"
+#include "initial_state.hpp"
 #include "polygon.hpp"
 #include "slope/couple/geometry.hpp"
 
@@ -139,6 +140,24 @@ void check_steady(const Input& root, const Case& input) {
   }
 }
 
+void check_k0(const Input& root, const Case& input) {
+  const Input place = root.at("initial");
+  if (input.initial_stress != InitialStress::k0) {
+    if (input.k0_coefficient)
+      place.at("k0_coefficient").problem("has a meaning only with \"stress: k0\"; remove one or add the other");
+    return;
+  }
+  if (input.k0_coefficient) return;
+  for (const Soil& soil : input.soils) {
+    if (friction_angle_of(soil.solid.strength)) continue;
+    place.problem_with(
+        "k0_coefficient",
+        fmt::format("missing; the soil \"{}\" has no friction angle for Jaky's formula; write for example "
+                    "\"k0_coefficient: 0.5\"",
+                    soil.name));
+  }
+}
+
 void check_times(const Input& list, const std::vector<double>& times, double end) {
   for (std::size_t i = 0; i < times.size(); ++i) {
     if (times[i] > end)
@@ -177,6 +196,7 @@ void check_case(const Input& root, const Case& input) {
     if (root.clean("water_boundaries")) check_places(water, input.water_boundaries, particles);
     if (root.clean("loads")) check_places(root.at("loads"), input.tractions, particles);
   }
+  if (root.clean("initial") && root.clean("soils")) check_k0(root, input);
   if (root.clean("stop") && root.clean("output") && root.clean("figures")) {
     check_times(root.at("output").at("snapshots"), input.output.snapshots, input.stop.time);
     check_times(root.at("figures").at("profile_times"), input.figures.profile_times, input.stop.time);

@@ -39,13 +39,43 @@ Format<Domain> domain_format() {
       .format();
 }
 
+void check_walls(const Input& input, Walls& walls) {
+  const auto check = [&input](const char* key, bool given, bool needed, const char* kind, const char* example) {
+    if (given && !needed) {
+      input.at(key).problem(fmt::format("has a meaning only for a wall of the kind {}; remove it", kind));
+    } else if (needed && !given) {
+      input.problem_with(key, fmt::format("missing; write for example \"{}: {}\"", key, example));
+    }
+  };
+  const auto one_is = [&walls](Wall wall) { return walls.left == wall || walls.right == wall || walls.base == wall; };
+  check("left_friction", walls.left_friction.has_value(), walls.left == Wall::friction, "friction", "0.4");
+  check("right_friction", walls.right_friction.has_value(), walls.right == Wall::friction, "friction", "0.4");
+  check("base_friction", walls.base_friction.has_value(), walls.base == Wall::friction, "friction", "0.4");
+  check("absorbing_depth", walls.absorbing_depth.has_value(), one_is(Wall::absorbing), "absorbing", "20 m");
+}
+
 Format<Walls> walls_format() {
-  const auto wall = choice<Wall>({{"free", Wall::free}, {"roller", Wall::roller}, {"fixed", Wall::fixed}});
+  const auto wall = choice<Wall>({{"free", Wall::free},
+                                  {"roller", Wall::roller},
+                                  {"fixed", Wall::fixed},
+                                  {"friction", Wall::friction},
+                                  {"absorbing", Wall::absorbing}});
+  const auto coefficient = maybe(quantity(Dimension::number, at_least(0.0)));
   return Record<Walls>()
-      .required("left", &Walls::left, wall, "free: none, roller: no motion across it, fixed: no motion at all",
+      .required("left", &Walls::left, wall,
+                "free: none, roller: no motion across it, fixed: no motion at all, friction: no motion across it, and "
+                "along it only against friction, absorbing: waves pass it, loads at rest are borne",
                 "roller")
       .required("right", &Walls::right, wall, "as the left wall", "roller")
       .required("base", &Walls::base, wall, "as the left wall", "fixed")
+      .optional("left_friction", &Walls::left_friction, coefficient,
+                "shear over effective normal stress at which the soil slides along a left wall with friction")
+      .optional("right_friction", &Walls::right_friction, coefficient, "as left_friction")
+      .optional("base_friction", &Walls::base_friction, coefficient, "as left_friction")
+      .optional("absorbing_depth", &Walls::absorbing_depth, maybe(quantity(Dimension::length, above(0.0))),
+                "how far the soil goes on behind absorbing walls until it is fixed: the spring that bears changes of "
+                "load")
+      .check(check_walls)
       .format();
 }
 
@@ -164,9 +194,14 @@ Format<Case> initial_format() {
   return Record<Case>()
       .required("water", &Case::initial_water, initial_water_format(), "pore-water pressure before the start",
                 "{type: hydrostatic, water_table: 3 m}")
-      .optional("stress", &Case::initial_stress,
-                choice<InitialStress>({{"self_weight", InitialStress::self_weight}, {"none", InitialStress::none}}),
-                "effective stress before the start: in balance with the weight, or none")
+      .optional(
+          "stress", &Case::initial_stress,
+          choice<InitialStress>(
+              {{"self_weight", InitialStress::self_weight}, {"k0", InitialStress::k0}, {"none", InitialStress::none}}),
+          "effective stress before the start: as if the weight came on an elastic soil that then yields; k0: from "
+          "the weight of the soil above and k0_coefficient, then brought into balance; or none")
+      .optional("k0_coefficient", &Case::k0_coefficient, maybe(quantity(Dimension::number, above(0.0))),
+                "horizontal over vertical effective stress; without it 1 - sin(phi') (Jaky 1944)")
       .format();
 }
 
@@ -308,7 +343,8 @@ Format<Case> case_format() {
                 "{water: {type: hydrostatic, water_table: 3 m}}")
       .optional("water_boundaries", &Case::water_boundaries, list_of(water_boundary_format()),
                 "what the water meets at the boundary; without one a boundary is impermeable")
-      .optional("loads", &Case::tractions, list_of(traction_format()), "tractions on the boundary")
+      .optional("loads", &Case::tractions, list_of(traction_format()), "tractions on the boundary, such as a surcharge")
+      .optional("seismic", &Case::seismic, seismic_format(), "a pseudo-static earthquake")
       .optional("coupling", whole, coupling_format(), "between skeleton and pore water")
       .optional("numerics", &Case::numerics, numerics_format(), "of the two solvers")
       .optional("clock", &Case::clock, clock_format(), "how much faster than real time the run may go")

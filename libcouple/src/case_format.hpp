@@ -24,6 +24,7 @@ inline constexpr std::array water_conditions{"pressure", "total_head", "flux"};
 [[nodiscard]] Format<InitialWater> initial_water_format();
 [[nodiscard]] Format<WaterBoundary> water_boundary_format();
 [[nodiscard]] Format<Traction> traction_format();
+[[nodiscard]] Format<Seismic> seismic_format();
 [[nodiscard]] Format<Case> case_format();
 
 /// Checks what concerns more than one key. Each check is left out where the keys it needs are already wrong.

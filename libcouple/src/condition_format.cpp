@@ -162,8 +162,23 @@ Format<Traction> traction_format() {
   record.required("name", &Traction::name, name_text(), "by which messages and --set call it", "fill");
   add_place(
       record, [](auto& load) -> auto& { return load.where; });
-  record.required("traction", &Traction::traction, pair_of(Dimension::pressure), "x and y components, tension positive",
-                  "[0 kPa, -10 kPa]");
+  record.required(
+      "traction", &Traction::traction, pair_of(Dimension::pressure),
+      "x and y components of the force per horizontal metre on ground_surface and base, whatever their "
+      "inclination, and per vertical metre on left and right; a surcharge of 10 kPa is [0 kPa, -10 kPa]; it "
+      "stays on its particles as they move",
+      "[0 kPa, -10 kPa]");
+  add_times(record, itself);
+  return record.format();
+}
+
+Format<Seismic> seismic_format() {
+  Record<Seismic> record;
+  record
+      .optional("horizontal_coefficient", &Seismic::horizontal_coefficient, quantity(Dimension::number),
+                "k_h, horizontal body force on soil and water over their weight, positive towards +x")
+      .optional("vertical_coefficient", &Seismic::vertical_coefficient, quantity(Dimension::number),
+                "k_v, vertical body force over the weight, positive upwards");
   add_times(record, itself);
   return record.format();
 }

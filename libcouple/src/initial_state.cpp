@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 
 #include "slope/couple/simulation.hpp"
@@ -12,6 +13,44 @@ namespace {
 
 constexpr double balanced = 1.0e-6;      // unbalanced over gravity forces at which the stress is taken as found
 constexpr double longest_search = 40.0;  // first periods
+
+// Damped motion at fixed positions until the forces balance. Returns the unbalanced over the gravity forces.
+double find_balance(Mixture& mixture, const Actions& actions, const SlopeScale& scale, double time_step, bool yields) {
+  // near critical for the first shear mode, whose period is about twice that of the first P-wave
+  const double damping = 2.0 * std::numbers::pi / scale.period();
+  solid::MaterialPointMethod& soil = mixture.soil;
+  const solid::StepMode mode{.yields = yields, .moves = false, .accumulates_strain = false};
+  double unbalanced = 0.0;
+  for (double t = 0.0; t < longest_search * scale.period(); t += time_step) {
+    soil.predict(time_step, mixture.pore_state(), actions.tractions, damping);
+    soil.advance(time_step, mixture.water.suction(), mode);
+    unbalanced = soil.balance().unbalanced_force / soil.balance().weight;
+    if (t > scale.period() && unbalanced < balanced) break;
+  }
+  return unbalanced;
+}
+
+// Vertical effective stress by the weight of what lies above in the same column, one spacing wide, and of half the
+// particle itself.
+void set_overburden(Mixture& mixture, double gravity, double spacing) {
+  solid::Particles& p = mixture.soil.particles();
+  const double left = *std::ranges::min_element(p.x);
+  std::map<long, std::vector<std::size_t>> columns;
+  for (std::size_t i = 0; i < p.size(); ++i) columns[std::lround((p.x[i] - left) / spacing)].push_back(i);
+  for (auto& [number, column] : columns) {
+    std::ranges::sort(column, [&p](std::size_t a, std::size_t b) { return p.y[a] > p.y[b]; });
+    double above = 0.0;
+    for (const std::size_t i : column) {
+      const double own = (p.solid_mass[i] + mixture.water_mass()[i]) * gravity / spacing;
+      p.syy[i] = std::min(0.0, mixture.water.pore_stress()[i] - above - 0.5 * own);
+      above += own;
+    }
+  }
+}
+
+void set_horizontal_stress(solid::Particles& p, std::span<const double> k0) {
+  for (std::size_t i = 0; i < p.size(); ++i) p.sxx[i] = p.szz[i] = k0[p.soil[i]] * p.syy[i];
+}
 
 }  // namespace
 
@@ -61,21 +100,42 @@ void find_steady_flow(Mixture& mixture, const BoundaryConditions& conditions) {
 }
 
 double find_self_weight_stress(Mixture& mixture, const Actions& actions, const SlopeScale& scale, double time_step) {
-  // near critical for the first shear mode, whose period is about twice that of the first P-wave
-  const double damping = 2.0 * std::numbers::pi / scale.period();
+  find_balance(mixture, actions, scale, time_step, false);
+  const double unbalanced = find_balance(mixture, actions, scale, time_step, true);
+  mixture.soil.stop();
+  return unbalanced;
+}
+
+double find_k0_stress(Mixture& mixture, const Actions& actions, const SlopeScale& scale, double time_step,
+                      double spacing, std::span<const double> k0) {
   solid::MaterialPointMethod& soil = mixture.soil;
-  double unbalanced = 0.0;
-  for (const bool yields : {false, true}) {
-    const solid::StepMode mode{.yields = yields, .moves = false, .accumulates_strain = false};
-    for (double t = 0.0; t < longest_search * scale.period(); t += time_step) {
-      soil.predict(time_step, mixture.pore_state(), actions.tractions, damping);
-      soil.advance(time_step, mixture.water.suction(), mode);
-      unbalanced = soil.balance().unbalanced_force / soil.balance().weight;
-      if (t > scale.period() && unbalanced < balanced) break;
-    }
-  }
+  set_overburden(mixture, scale.gravity, spacing);
+  set_horizontal_stress(soil.particles(), k0);
+  // the grid's own balance differs a little from the overburden: take the ratio again from what it found
+  find_balance(mixture, actions, scale, time_step, false);
+  soil.stop();
+  set_horizontal_stress(soil.particles(), k0);
+  const double unbalanced = find_balance(mixture, actions, scale, time_step, true);
   soil.stop();
   return unbalanced;
+}
+
+std::optional<double> friction_angle_of(const solid::Strength& strength) {
+  return std::visit(
+      [](const auto& law) -> std::optional<double> {
+        if constexpr (requires { law.friction_angle; }) return law.friction_angle;
+        return std::nullopt;
+      },
+      strength);
+}
+
+std::vector<double> k0_of_soils(const Case& input) {
+  std::vector<double> k0;
+  for (const Soil& soil : input.soils) {
+    k0.push_back(input.k0_coefficient ? *input.k0_coefficient
+                                      : 1.0 - std::sin(friction_angle_of(soil.solid.strength).value()));
+  }
+  return k0;
 }
 
 }  // namespace slope::couple

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "boundary_conditions.hpp"
@@ -18,5 +20,17 @@ void find_steady_flow(Mixture& mixture, const BoundaryConditions& conditions);
 /// Builds the self-weight stress at fixed positions, first elastic, then with the soil's strength, by damped motion;
 /// the pore pressure stays as it is. @return the unbalanced over the gravity forces that are left (-)
 double find_self_weight_stress(Mixture& mixture, const Actions& actions, const SlopeScale& scale, double time_step);
+
+/// The same from a vertical effective stress by the weight of the soil above each particle, less the pore pressure, and
+/// horizontal ones in the ratio of each soil; on a slope, balance and strength then change it.
+/// @param k0  by soil (-), > 0
+/// @param spacing  of the particles at the start (m)
+double find_k0_stress(Mixture& mixture, const Actions& actions, const SlopeScale& scale, double time_step,
+                      double spacing, std::span<const double> k0);
+
+/// phi' at zero suction (rad); none if the strength has no friction.
+[[nodiscard]] std::optional<double> friction_angle_of(const solid::Strength& strength);
+/// Horizontal over vertical effective stress of each soil (-): the case's, or 1 - sin(phi') (Jaky 1944).
+[[nodiscard]] std::vector<double> k0_of_soils(const Case& input);
 
 }  // namespace slope::couple

@@ -18,7 +18,13 @@ solid::MaterialPointMethod make_soil(const Case& input, const InitialParticles& 
   grid.cell_size = input.domain.cell_size;
   grid.columns = static_cast<int>(std::lround((input.domain.upper[0] - input.domain.lower[0]) / grid.cell_size));
   grid.rows = static_cast<int>(std::lround((input.domain.upper[1] - input.domain.lower[1]) / grid.cell_size));
-  grid.walls = {wall(input.walls.left), wall(input.walls.right), wall(input.walls.base)};
+  grid.walls = {.left = wall(input.walls.left),
+                .right = wall(input.walls.right),
+                .base = wall(input.walls.base),
+                .left_friction = input.walls.left_friction.value_or(0.0),
+                .right_friction = input.walls.right_friction.value_or(0.0),
+                .base_friction = input.walls.base_friction.value_or(0.0),
+                .absorbing_depth = input.walls.absorbing_depth.value_or(0.0)};
   std::vector<solid::Soil> soils;
   std::vector<double> grain_density, porosity;
   for (const Soil& soil : input.soils) {

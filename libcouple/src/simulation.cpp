@@ -216,11 +216,15 @@ void Simulation::initialise() {
   if (std::holds_alternative<SteadyWater>(s.input.initial_water)) find_steady_flow(s.mixture, s.conditions);
   s.mixture.weigh_water();
   s.conditions.remember_pressures(s.mixture.water.pressure());
+  const Actions before;
+  const double step = s.mixture.soil.stable_step(s.input.numerics.courant_number, s.mixture.water_mass());
   if (s.input.initial_stress == InitialStress::self_weight) {
-    Actions before;
-    const double step = s.mixture.soil.stable_step(s.input.numerics.courant_number, s.mixture.water_mass());
     s.result.initial_unbalanced_ratio = find_self_weight_stress(s.mixture, before, s.scale, step);
+  } else if (s.input.initial_stress == InitialStress::k0) {
+    s.result.initial_unbalanced_ratio =
+        find_k0_stress(s.mixture, before, s.scale, step, s.particles.spacing, k0_of_soils(s.input));
   }
+  s.mixture.soil.release_walls(s.mixture.water_mass());
   s.first_storage = s.mixture.water.stored_water();
   const std::size_t n = s.particles.x.size();
   std::vector<double> wx(n), wy(n);
@@ -297,6 +301,7 @@ ParticleTable Simulation::particles() const {
     table.strain.push_back({soil.exx[p], soil.eyy[p], 0.0, soil.exy[p]});
     table.deviatoric_strain.push_back(deviatoric_strain_of(soil, p));
   }
+  table.plastic_strain = soil.plastic_strain;
   const auto copy = [](std::span<const double> from) { return std::vector<double>(from.begin(), from.end()); };
   table.pore_pressure = copy(s.mixture.water.pressure());
   table.suction = copy(s.mixture.water.suction());

@@ -12,39 +12,114 @@ constexpr auto itself = [](auto& value) -> auto& {
   return value;
 };
 
-Format<std::variant<solid::NoYield, solid::DruckerPrager>> strength_format() {
-  using solid::DruckerPrager;
-  using Strength = std::variant<solid::NoYield, DruckerPrager>;
-  constexpr double right_angle = std::numbers::pi / 2.0;
-  Record<DruckerPrager> drucker_prager;
-  drucker_prager
-      .required("cohesion", &DruckerPrager::cohesion, quantity(Dimension::pressure, at_least(0.0)),
-                "c', cohesion at zero suction", "1 kPa")
-      .required("friction_angle", &DruckerPrager::friction_angle,
-                quantity(Dimension::angle, from_to_below(0.0, right_angle)), "phi', friction angle at zero suction",
-                "25 deg")
-      .required("dilatancy_angle", &DruckerPrager::dilatancy_angle,
-                quantity(Dimension::angle, from_to_below(0.0, right_angle)), "psi, not above the friction angle",
-                "0 deg")
-      .required("maximum_cohesion_increase", &DruckerPrager::maximum_cohesion_increase,
+constexpr double right_angle = std::numbers::pi / 2.0;
+
+/// The fields of a softening law that say over which plastic strain it goes.
+template <class Softening>
+Record<Softening>& with_softening_range(Record<Softening>& softening) {
+  const auto part_of = [](auto member) {
+    return [member](auto& law) -> auto& {
+      return law.range.*member;
+    };
+  };
+  using solid::SofteningRange;
+  return softening
+      .required("from_plastic_strain", part_of(&SofteningRange::from), quantity(Dimension::number, at_least(0.0)),
+                "accumulated deviatoric plastic strain up to which the peak strength holds", "1 %")
+      .required("to_plastic_strain", part_of(&SofteningRange::to), quantity(Dimension::number, above(0.0)),
+                "accumulated deviatoric plastic strain from which on the residual strength holds", "10 %")
+      .optional("characteristic_length", part_of(&SofteningRange::characteristic_length),
+                quantity(Dimension::length, at_least(0.0)),
+                "cell size for which the two strains were found: with other cells the softening takes their difference "
+                "times this length over the cell size; 0 m: the same strains for all cells")
+      .check([](const Input& input, Softening& law) {
+        if (law.range.to > law.range.from) return;
+        input.at("to_plastic_strain")
+            .problem(fmt::format("must be above from_plastic_strain, {:g}, got {:g}", law.range.from, law.range.to));
+      });
+}
+
+/// Says so if the residual value of a strength exceeds its peak.
+void check_residual(const Input& strength, const char* residual, double value, const char* peak, double peak_value,
+                    Dimension dimension) {
+  if (value <= peak_value) return;
+  strength.at("softening")
+      .at(residual)
+      .problem(fmt::format("must not exceed {}, {}, got {}", peak, quantity_text(peak_value, dimension),
+                           quantity_text(value, dimension)));
+}
+
+/// The fields of Drucker-Prager and Mohr-Coulomb.
+template <class Law>
+Record<Law> frictional_record() {
+  using solid::FrictionalSoftening;
+  Record<FrictionalSoftening> softening;
+  softening
+      .required("residual_cohesion", &FrictionalSoftening::residual_cohesion,
+                quantity(Dimension::pressure, at_least(0.0)), "what c' falls to", "0 kPa")
+      .required("residual_friction_angle", &FrictionalSoftening::residual_friction_angle,
+                quantity(Dimension::angle, from_to_below(0.0, right_angle)), "what phi' falls to", "20 deg");
+  Record<Law> law;
+  law.required("cohesion", &Law::cohesion, quantity(Dimension::pressure, at_least(0.0)), "c', cohesion at zero suction",
+               "1 kPa")
+      .required("friction_angle", &Law::friction_angle, quantity(Dimension::angle, from_to_below(0.0, right_angle)),
+                "phi', friction angle at zero suction", "25 deg")
+      .required("dilatancy_angle", &Law::dilatancy_angle, quantity(Dimension::angle, from_to_below(0.0, right_angle)),
+                "psi, not above the friction angle", "0 deg")
+      .required("maximum_cohesion_increase", &Law::maximum_cohesion_increase,
                 quantity(Dimension::pressure, at_least(0.0)), "largest increase of the cohesion by suction (Eq. 15)",
                 "100 kPa")
-      .required("cohesion_suction_rate", &DruckerPrager::cohesion_suction_rate,
-                quantity(Dimension::number, at_least(0.0)),
+      .required("cohesion_suction_rate", &Law::cohesion_suction_rate, quantity(Dimension::number, at_least(0.0)),
                 "B, how fast the cohesion grows with suction over one atmosphere (Eq. 15)", "0.07")
-      .required("friction_angle_suction_rate", &DruckerPrager::friction_angle_suction_rate, quantity(Dimension::angle),
+      .required("friction_angle_suction_rate", &Law::friction_angle_suction_rate, quantity(Dimension::angle),
                 "A, increase of the friction angle per atmosphere of suction (Eq. 16)", "0 deg")
-      .check([](const Input& input, DruckerPrager& soil) {
-        if (soil.dilatancy_angle <= soil.friction_angle) return;
-        input.at("dilatancy_angle")
-            .problem(fmt::format("must not exceed the friction angle of {}, got {}",
-                                 quantity_text(soil.friction_angle, Dimension::angle),
-                                 quantity_text(soil.dilatancy_angle, Dimension::angle)));
+      .optional("softening", &Law::softening, maybe(with_softening_range(softening).format()),
+                "brittle soil: c' and phi' fall linearly with plastic strain, and psi to zero with them; what suction "
+                "adds stays")
+      .check([](const Input& input, Law& soil) {
+        if (soil.dilatancy_angle > soil.friction_angle) {
+          input.at("dilatancy_angle")
+              .problem(fmt::format("must not exceed the friction angle of {}, got {}",
+                                   quantity_text(soil.friction_angle, Dimension::angle),
+                                   quantity_text(soil.dilatancy_angle, Dimension::angle)));
+        }
+        if (!soil.softening) return;
+        check_residual(input, "residual_cohesion", soil.softening->residual_cohesion, "cohesion", soil.cohesion,
+                       Dimension::pressure);
+        check_residual(input, "residual_friction_angle", soil.softening->residual_friction_angle, "friction_angle",
+                       soil.friction_angle, Dimension::angle);
       });
-  return Alternatives<Strength>("model")
+  return law;
+}
+
+Record<solid::VonMises> von_mises_record() {
+  using solid::UndrainedSoftening;
+  using solid::VonMises;
+  Record<UndrainedSoftening> softening;
+  softening.required("residual_undrained_strength", &UndrainedSoftening::residual_undrained_strength,
+                     quantity(Dimension::pressure, at_least(0.0)), "what s_u falls to", "5 kPa");
+  Record<VonMises> law;
+  law.required("undrained_strength", &VonMises::undrained_strength, quantity(Dimension::pressure, above(0.0)),
+               "s_u, the largest shear stress in plane strain", "20 kPa")
+      .optional("softening", &VonMises::softening, maybe(with_softening_range(softening).format()),
+                "brittle soil: s_u falls linearly with plastic strain")
+      .check([](const Input& input, VonMises& soil) {
+        if (!soil.softening) return;
+        check_residual(input, "residual_undrained_strength", soil.softening->residual_undrained_strength,
+                       "undrained_strength", soil.undrained_strength, Dimension::pressure);
+      });
+  return law;
+}
+
+Format<solid::Strength> strength_format() {
+  return Alternatives<solid::Strength>("model")
       .add("drucker_prager",
            "Drucker-Prager matched to Mohr-Coulomb in plane strain, stronger with suction (Eqs. 11-16)", itself,
-           drucker_prager)
+           frictional_record<solid::DruckerPrager>())
+      .add("mohr_coulomb", "Mohr-Coulomb, stronger with suction (Eqs. 15, 16)", itself,
+           frictional_record<solid::MohrCoulomb>())
+      .add("von_mises", "von Mises: undrained strength, whatever the mean stress and the suction", itself,
+           von_mises_record())
       .add("elastic", "the soil never yields", itself, Record<solid::NoYield>())
       .format();
 }

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "slope/solid/shear_strength.hpp"
+
 namespace slope::solid {
 
 namespace {
@@ -34,7 +36,12 @@ SuctionDependentCone::SuctionDependentCone(const DruckerPrager& strength) : stre
   saturated_ = {friction.eta, plane_strain_match(strength.dilatancy_angle).eta, friction.xi * strength.cohesion};
 }
 
-YieldCone SuctionDependentCone::at(double suction) const {
+YieldCone SuctionDependentCone::at(double suction, double plastic_strain) const {
+  if (has_softened(strength_, plastic_strain)) {
+    const ShearStrength now = shear_strength(strength_, suction, plastic_strain);
+    const Match friction = plane_strain_match(now.friction_angle);
+    return {friction.eta, plane_strain_match(now.dilatancy_angle).eta, friction.xi * now.cohesion};
+  }
   if (suction <= 0.0) return saturated_;
   const double s = suction / atmospheric_pressure;
   const double cohesion =
@@ -62,7 +69,7 @@ Return return_to_yield_surface(const YieldCone& cone, const Elastic& elastic, Sy
     const double scale = root_j2 > 0.0 ? new_root_j2 / root_j2 : 0.0;
     stress = {(stress.xx - mean) * scale + new_mean, (stress.yy - mean) * scale + new_mean,
               (stress.zz - mean) * scale + new_mean, stress.xy * scale};
-    return Return::cone;
+    return Return::face;
   }
   const double tip = cone.xi_c / (3.0 * cone.eta);
   stress = {tip, tip, tip, 0.0};

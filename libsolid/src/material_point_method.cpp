@@ -27,23 +27,42 @@ SolidError::SolidError(std::size_t at, const std::string& name, double bad)
 
 MaterialPointMethod::MaterialPointMethod(const Grid& grid, std::vector<Soil> soils, Particles particles,
                                          const Settings& settings)
-    : grid_(grid),
-      soils_(std::move(soils)),
-      materials_(soils_.begin(), soils_.end()),
-      particles_(std::move(particles)),
-      settings_(settings) {
+    : grid_(grid), soils_(std::move(soils)), particles_(std::move(particles)), settings_(settings) {
   require(grid_.cell_size > 0.0 && grid_.columns > 0 && grid_.rows > 0, "the grid has no cells");
   require(settings_.threads > 0, "there must be a thread at least");
   require(settings_.flip_fraction <= 1.0, "the share of FLIP is above one");
+  const Walls& walls = grid_.walls;
+  const bool absorbs = walls.left == Wall::absorbing || walls.right == Wall::absorbing || walls.base == Wall::absorbing;
+  require(!absorbs || walls.absorbing_depth > 0.0, "absorbing walls need a depth");
   const std::size_t n = particles_.size();
   const Particles& p = particles_;
-  for (const auto* field : {&p.y, &p.ux, &p.uy, &p.vx, &p.vy, &p.cxx, &p.cxy, &p.cyx, &p.cyy, &p.sxx, &p.syy, &p.szz,
-                            &p.sxy, &p.exx, &p.eyy, &p.exy, &p.volume, &p.solid_mass, &p.porosity}) {
+  for (const auto* field : {&p.y,
+                            &p.ux,
+                            &p.uy,
+                            &p.vx,
+                            &p.vy,
+                            &p.cxx,
+                            &p.cxy,
+                            &p.cyx,
+                            &p.cyy,
+                            &p.sxx,
+                            &p.syy,
+                            &p.szz,
+                            &p.sxy,
+                            &p.exx,
+                            &p.eyy,
+                            &p.exy,
+                            &p.plastic_strain,
+                            &p.volume,
+                            &p.solid_mass,
+                            &p.porosity}) {
     require(field->size() == n, "the particles' arrays differ in length");
   }
   require(p.soil.size() == n, "the particles' arrays differ in length");
   for (const std::uint16_t soil : p.soil) require(soil < soils_.size(), "a particle names a soil that is not there");
 
+  for (const Soil& soil : soils_) materials_.emplace_back(soil, grid_.cell_size);
+  find_wall_nodes();
   weights_.resize(n);
   grid_cell_of_.resize(n);
   cell_of_.resize(n);
@@ -75,7 +94,7 @@ void MaterialPointMethod::stop() {
 }
 
 void MaterialPointMethod::predict(double dt, const PoreState& pore, std::span<const ParticleTraction> tractions,
-                                  double damping) {
+                                  double damping, std::array<double, 2> body_acceleration) {
   require(tractions.empty() || settings_.particle_spacing > 0.0, "tractions need a particle spacing");
   if (settings_.shape_function == ShapeFunction::quadratic_bspline) {
     find_weights<QuadraticBSpline>();
@@ -84,13 +103,13 @@ void MaterialPointMethod::predict(double dt, const PoreState& pore, std::span<co
   }
   sort_into_cells();
   sum_cell_gradients();
-  scatter(pore);
+  scatter(pore, {body_acceleration[0], body_acceleration[1] - settings_.gravity});
   if (settings_.shape_function == ShapeFunction::quadratic_bspline) {
     add_tractions<QuadraticBSpline>(tractions);
   } else {
     add_tractions<Linear>(tractions);
   }
-  fold_walls();
+  fold_walls(dt);
   if (settings_.averages_pressure && !pore.pressure.empty()) {
     find_pressure_force(pore.pressure);
     for (std::size_t i = 0; i < node_.size(); ++i) node_[i].force += pressure_force_[i];
@@ -108,6 +127,7 @@ void MaterialPointMethod::update_velocity(double dt, double damping) {
     response_[i] = node_[i].mass > lightest_node * heaviest ? 1.0 / node_[i].mass : 0.0;
   }
   hold_walls();
+  move_walls(dt);
   for (std::size_t i = 0; i < node_.size(); ++i) {
     const Node& node = node_[i];
     const Eigen::Array2d inverse_mass = response_[i];
@@ -121,6 +141,9 @@ void MaterialPointMethod::update_velocity(double dt, double damping) {
 
 void MaterialPointMethod::advance(double dt, std::span<const double> suction, const StepMode& mode) {
   unfold_walls();
+  if (walls_released_ && mode.moves) {
+    for (WallNode& wall : wall_nodes_) wall.displacement += dt * velocity_[wall.on];
+  }
   if (settings_.flip_fraction < 0.0) {
     gather<true>(dt, mode);
   } else {

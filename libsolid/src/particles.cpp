@@ -13,7 +13,7 @@ Particles Particles::at(std::span<const double> x, std::span<const double> y, st
   p.porosity.assign(porosity.begin(), porosity.end());
   p.soil.assign(soil_index.begin(), soil_index.end());
   for (auto* field : {&p.ux, &p.uy, &p.vx, &p.vy, &p.cxx, &p.cxy, &p.cyx, &p.cyy, &p.sxx, &p.syy, &p.szz, &p.sxy,
-                      &p.exx, &p.eyy, &p.exy}) {
+                      &p.exx, &p.eyy, &p.exy, &p.plastic_strain}) {
     field->assign(n, 0.0);
   }
   p.solid_mass.resize(n);

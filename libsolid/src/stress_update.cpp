@@ -4,12 +4,34 @@
 
 namespace slope::solid {
 
-MaterialPointMethod::Material::Material(const Soil& soil)
+namespace {
+
+// Brings a stress to the yield surface of whichever law it is; whether the soil yields.
+struct Yielding {
+  double suction, plastic_strain;
+  const Elastic& elastic;
+  SymmetricTensor& stress;
+
+  bool operator()(const NoYield& /*none*/) const { return false; }
+  template <class Law>
+  bool operator()(const Law& law) const {
+    return return_to_yield_surface(law.at(suction, plastic_strain), elastic, stress) != Return::elastic;
+  }
+};
+
+// sqrt(2/3 de:de) of the plastic strain increment that took the deviator from the trial stress to the stress.
+double plastic_increment(const SymmetricTensor& trial, const SymmetricTensor& stress, double shear) {
+  const SymmetricTensor lost{trial.xx - stress.xx, trial.yy - stress.yy, trial.zz - stress.zz, trial.xy - stress.xy};
+  return deviatoric_strain(lost) / (2.0 * shear);
+}
+
+}  // namespace
+
+MaterialPointMethod::Material::Material(const Soil& soil, double cell_size)
     : elastic(soil.elastic),
       shear(soil.elastic.shear_modulus()),
-      lame(soil.elastic.bulk_modulus() - 2.0 / 3.0 * soil.elastic.shear_modulus()) {
-  if (const auto* strength = std::get_if<DruckerPrager>(&soil.strength)) cone.emplace(*strength);
-}
+      lame(soil.elastic.bulk_modulus() - 2.0 / 3.0 * soil.elastic.shear_modulus()),
+      strength(make_strength_law(soil.strength, cell_size)) {}
 
 void MaterialPointMethod::update_stress(double dt, std::span<const double> suction, const StepMode& mode) {
   find_cell_divergence(velocity_);
@@ -37,8 +59,13 @@ void MaterialPointMethod::update_stress(double dt, std::span<const double> sucti
     SymmetricTensor stress{sxx + 2.0 * spin * sxy + volumetric + 2.0 * material.shear * dxx,
                            syy - 2.0 * spin * sxy + volumetric + 2.0 * material.shear * dyy,
                            particles_.szz[p] + volumetric, sxy + spin * (syy - sxx) + 2.0 * material.shear * dxy};
-    if (mode.yields && material.cone) {
-      return_to_yield_surface(material.cone->at(suction.empty() ? 0.0 : suction[p]), material.elastic, stress);
+    if (mode.yields) {
+      const SymmetricTensor trial = stress;
+      const Yielding yielding{suction.empty() ? 0.0 : suction[p], particles_.plastic_strain[p], material.elastic,
+                              stress};
+      if (std::visit(yielding, material.strength) && mode.accumulates_strain) {
+        particles_.plastic_strain[p] += plastic_increment(trial, stress, material.shear);
+      }
     }
     particles_.sxx[p] = stress.xx;
     particles_.syy[p] = stress.yy;

@@ -2,8 +2,14 @@
 // wall holds, equal ones that it leaves free. What the particles gave it goes to its image, momentum and force with
 // that sign, mass as it is: the soil and its image are one body, whose velocity at a node is an average, which makes no
 // energy. Linear shape functions do not reach such nodes.
+//
+// Where the node on the wall moves with v_w, by friction or because the wall absorbs, images are seen from there: the
+// velocity outside is 2 v_w - v of the node inside. With that constraint the momenta of the three nodes give two
+// equations for v_w and v, which are solved as they stand, with the mass that couples them: lumping it would make
+// energy. At rest such a wall is a fixed one, to the last bit.
 
 #include <algorithm>
+#include <cmath>
 
 #include "slope/solid/material_point_method.hpp"
 
@@ -11,59 +17,125 @@ namespace slope::solid {
 
 namespace {
 
-constexpr double tangential_sign(Wall wall) {
-  return wall == Wall::fixed ? -1.0 : 1.0;
+using Eigen::Array2d;
+
+// Friction follows the normal force over the time in which a wave crosses so many cells. Following it at once, sliding
+// and vibration across the wall drive each other: elastic bodies in Coulomb friction are ill-posed without such a delay
+// (Cochard and Rice 2000).
+constexpr double push_cells = 5.0;
+
+constexpr bool moves(Wall wall) {
+  return wall == Wall::friction || wall == Wall::absorbing;
 }
 
-// Calls act(outside, inside, signs) for each node outside of a wall, so that those in the corners reach the inside in
-// two steps.
+constexpr double tangential_sign(Wall wall) {
+  return wall == Wall::roller ? 1.0 : -1.0;
+}
+
+struct Side {
+  Wall wall;
+  double friction;
+  Eigen::Index normal;  // axis
+  double inwards;       // sign of the inner normal along that axis
+
+  [[nodiscard]] Array2d sign() const {
+    Array2d sign = Array2d::Constant(tangential_sign(wall));
+    sign[normal] = -1.0;
+    return sign;
+  }
+};
+
+// A node outside of a wall.
+struct Image {
+  std::size_t outside, on, inside;
+  Array2d sign;
+  bool moving;  // whether the node on the wall can move
+};
+
+// Calls act(side, image) for each node outside of a wall, so that those in the corners reach the inside in two steps.
+// Where two walls meet, the nodes are those of the base.
 template <class Act>
 void for_each_image(const Grid& grid, const Act& act) {
   const int nx = grid.columns, ny = grid.rows;
   const Walls& walls = grid.walls;
+  const Side left{walls.left, walls.left_friction, 0, 1.0}, right{walls.right, walls.right_friction, 0, -1.0};
+  const Side base{walls.base, walls.base_friction, 1, 1.0};
   for (int j = -1; j <= ny + 1; ++j) {
-    if (walls.left != Wall::free) {
-      act(grid.node(-1, j), grid.node(1, j), Eigen::Array2d(-1.0, tangential_sign(walls.left)));
+    const bool above_base = j > 0 || base.wall == Wall::free;
+    if (left.wall != Wall::free) {
+      act(left, Image{grid.node(-1, j), grid.node(0, j), grid.node(1, j), left.sign(), moves(left.wall) && above_base});
     }
-    if (walls.right != Wall::free) {
-      act(grid.node(nx + 1, j), grid.node(nx - 1, j), Eigen::Array2d(-1.0, tangential_sign(walls.right)));
+    if (right.wall != Wall::free) {
+      act(right, Image{grid.node(nx + 1, j), grid.node(nx, j), grid.node(nx - 1, j), right.sign(),
+                       moves(right.wall) && above_base});
     }
   }
-  for (int i = -1; i <= nx + 1 && walls.base != Wall::free; ++i) {
-    act(grid.node(i, -1), grid.node(i, 1), Eigen::Array2d(tangential_sign(walls.base), -1.0));
+  for (int i = -1; i <= nx + 1 && base.wall != Wall::free; ++i) {
+    act(base, Image{grid.node(i, -1), grid.node(i, 0), grid.node(i, 1), base.sign(), moves(base.wall)});
   }
 }
 
 }  // namespace
 
-void MaterialPointMethod::fold_walls() {
-  for_each_image(grid_, [this](std::size_t outside, std::size_t inside, const Eigen::Array2d& sign) {
-    Node& from = node_[outside];
-    Node& to = node_[inside];
-    to.momentum += sign * from.momentum;
-    to.force += sign * from.force;
-    to.mass += from.mass;
-    from = {Eigen::Array2d::Zero(), Eigen::Array2d::Zero(), 0.0};
+void MaterialPointMethod::find_wall_nodes() {
+  push_time_ = push_cells * stable_step(1.0, {});
+  for_each_image(grid_, [&](const Side& side, const Image& image) {
+    if (!image.moving) return;
+    WallNode node;
+    node.on = image.on;
+    node.inside = image.inside;
+    node.normal = side.normal;
+    node.inwards = side.inwards;
+    node.wall = side.wall;
+    node.friction = side.friction;
+    wall_nodes_.push_back(node);
   });
+}
+
+void MaterialPointMethod::fold_walls(double dt) {
+  auto wall = wall_nodes_.begin();
+  for_each_image(grid_, [&](const Side& /*side*/, const Image& image) {
+    Node& from = node_[image.outside];
+    Node& to = node_[image.inside];
+    if (image.moving) {
+      Node& on = node_[image.on];
+      on.momentum += 2.0 * from.momentum;
+      on.force += 2.0 * from.force;
+      wall->image_mass = from.mass;
+      ++wall;
+    }
+    to.momentum += image.sign * from.momentum;
+    to.force += image.sign * from.force;
+    to.mass += from.mass;
+    from = {Array2d::Zero(), Array2d::Zero(), 0.0};
+  });
+  // before the pore pressure's force comes in: friction knows the effective stress, and the weight of the half cell at
+  // the wall
+  const double push_share = dt / (dt + push_time_);
+  for (WallNode& node : wall_nodes_) {
+    node.push += push_share * (-node.inwards * node_[node.on].force[node.normal] - node.push);
+  }
 }
 
 // The same for a cell's gradient: of its 4 x 4 nodes, the first or last column or row may lie outside.
 void MaterialPointMethod::fold_walls(std::size_t cell, CellGradient& gradient) const {
-  const auto fold = [&gradient](std::size_t outside, std::size_t inside, double sign_x, double sign_y) {
-    gradient[inside] += Eigen::Array2d(sign_x, sign_y) * gradient[outside];
+  const auto fold = [&gradient](Wall wall, std::size_t outside, std::size_t on, std::size_t inside, double sign_x,
+                                double sign_y) {
+    if (moves(wall)) gradient[on] += 2.0 * gradient[outside];
+    gradient[inside] += Array2d(sign_x, sign_y) * gradient[outside];
     gradient[outside].setZero();
   };
   const std::size_t column = cell % std::size_t(grid_.columns);
   const std::size_t row = cell / std::size_t(grid_.columns);
   const Walls& walls = grid_.walls;
   if (column == 0 && walls.left != Wall::free) {
-    for (std::size_t b = 0; b < 16; b += 4) fold(b, b + 2, -1.0, tangential_sign(walls.left));
+    for (std::size_t b = 0; b < 16; b += 4) fold(walls.left, b, b + 1, b + 2, -1.0, tangential_sign(walls.left));
   }
   if (column + 1 == std::size_t(grid_.columns) && walls.right != Wall::free) {
-    for (std::size_t b = 0; b < 16; b += 4) fold(b + 3, b + 1, -1.0, tangential_sign(walls.right));
+    for (std::size_t b = 0; b < 16; b += 4) fold(walls.right, b + 3, b + 2, b + 1, -1.0, tangential_sign(walls.right));
   }
   if (row == 0 && walls.base != Wall::free) {
-    for (std::size_t a = 0; a < 4; ++a) fold(a, a + 8, tangential_sign(walls.base), -1.0);
+    for (std::size_t a = 0; a < 4; ++a) fold(walls.base, a, a + 4, a + 8, tangential_sign(walls.base), -1.0);
   }
 }
 
@@ -73,20 +145,88 @@ void MaterialPointMethod::hold_walls() {
     if (x) response_[grid_.node(i, j)].x() = 0.0;
     if (y) response_[grid_.node(i, j)].y() = 0.0;
   };
+  const auto holds = [this](Wall wall) { return wall == Wall::fixed || (wall == Wall::absorbing && !walls_released_); };
+  const auto holds_normal = [&holds](Wall wall) {
+    return wall == Wall::roller || wall == Wall::friction || holds(wall);
+  };
   const Walls& walls = grid_.walls;
   for (int j = -1; j <= grid_.rows + 1; ++j) {
-    hold(0, j, walls.left != Wall::free, walls.left == Wall::fixed);
-    hold(grid_.columns, j, walls.right != Wall::free, walls.right == Wall::fixed);
+    hold(0, j, holds_normal(walls.left), holds(walls.left));
+    hold(grid_.columns, j, holds_normal(walls.right), holds(walls.right));
   }
-  for (int i = -1; i <= grid_.columns + 1; ++i) hold(i, 0, walls.base == Wall::fixed, walls.base != Wall::free);
+  for (int i = -1; i <= grid_.columns + 1; ++i) hold(i, 0, holds(walls.base), holds_normal(walls.base));
+}
+
+// Forces of the walls that can move, and what the motion of their nodes brings to those inside. A node that friction
+// does not hold slides; `response_` is zero where a wall holds.
+void MaterialPointMethod::move_walls(double dt) {
+  for (WallNode& wall : wall_nodes_) {
+    Node& node = node_[wall.on];
+    Array2d& response = response_[wall.on];
+    Node& inside = node_[wall.inside];
+    // the equation of the node inside, taken out of that of the node on the wall
+    const Array2d share =
+        (response_[wall.inside] > 0.0).select(Array2d::Constant(2.0 * wall.image_mass / inside.mass), 0.0);
+    const Array2d mass = node.mass + wall.image_mass * (4.0 - 2.0 * share);
+    node.momentum += share * inside.momentum;
+    node.force += share * inside.force;
+    if (wall.wall == Wall::friction) {
+      const Eigen::Index along = 1 - wall.normal;
+      if (response[along] > 0.0) {
+        const double impulse = node.momentum[along] + dt * node.force[along];
+        const double largest = wall.friction * std::max(wall.push, 0.0);
+        const bool slides = std::abs(impulse) > dt * largest;
+        response[along] = slides ? 1.0 / mass[along] : 0.0;
+        if (slides) node.force[along] -= std::copysign(largest, impulse);
+      }
+    } else if (walls_released_) {
+      node.force += wall.reaction - wall.spring * wall.displacement;
+      response = (response > 0.0).select(1.0 / (mass + dt * wall.dashpot), 0.0);
+    } else {
+      wall.reaction = -node.force;
+    }
+    const Array2d before = node.momentum * response;
+    const Array2d after = (node.momentum + dt * node.force) * response;
+    inside.momentum += 2.0 * wall.image_mass * before;
+    inside.force += 2.0 * wall.image_mass / dt * (after - before);
+  }
+}
+
+void MaterialPointMethod::release_walls(std::span<const double> water_mass) {
+  walls_released_ = true;
+  const double h = grid_.cell_size;
+  for (WallNode& wall : wall_nodes_) {
+    if (wall.wall != Wall::absorbing) continue;
+    wall.dashpot = wall.spring = Array2d::Zero();
+    const auto columns = std::size_t(grid_.node_columns());
+    const Array2d place(grid_.lower[0] + h * (double(wall.on % columns) - 1.0),
+                        grid_.lower[1] + h * (double(wall.on / columns) - 1.0));
+    const Eigen::Index along = 1 - wall.normal;
+    for (std::size_t p = 0; p < particles_.size(); ++p) {
+      const Array2d away = Array2d(particles_.x[p], particles_.y[p]) - place;
+      if (std::abs(away[wall.normal]) >= h || std::abs(away[along]) >= h) continue;
+      // the length of wall that the particle stands for: its share of the cell at the wall
+      const double length = (1.0 - std::abs(away[along]) / h) * particles_.volume[p] / h;
+      const double mass = particles_.solid_mass[p] + (water_mass.empty() ? 0.0 : water_mass[p]);
+      const Elastic& elastic = soils_[particles_.soil[p]].elastic;
+      Array2d modulus;
+      modulus[wall.normal] = elastic.constrained_modulus();
+      modulus[along] = elastic.shear_modulus();
+      wall.dashpot += length * (modulus * mass / particles_.volume[p]).sqrt();
+      wall.spring += length / grid_.walls.absorbing_depth * modulus;
+    }
+  }
 }
 
 // Gives the nodes outside of the walls the velocity of their images; twice, for those in the corners.
 void MaterialPointMethod::unfold_walls() {
   for (int pass = 0; pass < 2; ++pass) {
-    for_each_image(grid_, [this](std::size_t outside, std::size_t inside, const Eigen::Array2d& sign) {
-      velocity_[outside] = sign * velocity_[inside];
-      old_velocity_[outside] = sign * old_velocity_[inside];
+    for_each_image(grid_, [this](const Side& /*side*/, const Image& image) {
+      velocity_[image.outside] = image.sign * velocity_[image.inside];
+      old_velocity_[image.outside] = image.sign * old_velocity_[image.inside];
+      if (!image.moving) return;
+      velocity_[image.outside] += 2.0 * velocity_[image.on];
+      old_velocity_[image.outside] += 2.0 * old_velocity_[image.on];
     });
   }
 }

@@ -91,6 +91,7 @@ vtkNew<vtkPolyData> to_polydata(const couple::ParticleTable& particles, std::str
   arrays->AddArray(tensors("stress_effective", particles.stress_effective));
   arrays->AddArray(tensors("strain", particles.strain));
   arrays->AddArray(scalars("deviatoric_strain", particles.deviatoric_strain));
+  arrays->AddArray(scalars("plastic_strain", particles.plastic_strain));
   arrays->AddArray(scalars("pore_pressure", particles.pore_pressure));
   arrays->AddArray(scalars("suction", particles.suction));
   arrays->AddArray(scalars("saturation", particles.saturation));

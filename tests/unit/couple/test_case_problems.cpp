@@ -93,6 +93,55 @@ const Mistake physics[] = {
      "must be at least 0 deg and below 90 deg, got 90 deg"},
     {"DilatancyAboveFriction", "dilatancy_angle: 0 deg", "dilatancy_angle: 30 deg",
      "soils.sandy_clay.strength.dilatancy_angle", "must not exceed the friction angle of 25 deg, got 30 deg"},
+    {"SofteningBackwards", "cohesion: 1 kPa\n",
+     "cohesion: 1 kPa\n      softening: {residual_cohesion: 0 kPa, residual_friction_angle: 20 deg, "
+     "from_plastic_strain: 10 %, to_plastic_strain: 1 %}\n",
+     "soils.sandy_clay.strength.softening.to_plastic_strain", "must be above from_plastic_strain, 0.1, got 0.01", 1},
+    {"SofteningBelowZeroStrain", "cohesion: 1 kPa\n",
+     "cohesion: 1 kPa\n      softening: {residual_cohesion: 0 kPa, residual_friction_angle: 20 deg, "
+     "from_plastic_strain: -1 %, to_plastic_strain: 1 %}\n",
+     "soils.sandy_clay.strength.softening.from_plastic_strain", "must be at least 0, got -1 %", 1},
+    {"ResidualCohesionAbovePeak", "cohesion: 1 kPa\n",
+     "cohesion: 1 kPa\n      softening: {residual_cohesion: 2 kPa, residual_friction_angle: 20 deg, "
+     "from_plastic_strain: 0, to_plastic_strain: 1 %}\n",
+     "soils.sandy_clay.strength.softening.residual_cohesion", "must not exceed cohesion, 1 kPa, got 2 kPa", 1},
+    {"ResidualFrictionAbovePeak", "cohesion: 1 kPa\n",
+     "cohesion: 1 kPa\n      softening: {residual_cohesion: 0 kPa, residual_friction_angle: 30 deg, "
+     "from_plastic_strain: 0, to_plastic_strain: 1 %}\n",
+     "soils.sandy_clay.strength.softening.residual_friction_angle",
+     "must not exceed friction_angle, 25 deg, got 30 deg", 1},
+    {"SofteningWithoutResidual", "cohesion: 1 kPa\n",
+     "cohesion: 1 kPa\n      softening: {residual_cohesion: 0 kPa, from_plastic_strain: 0, "
+     "to_plastic_strain: 1 %}\n",
+     "soils.sandy_clay.strength.softening.residual_friction_angle",
+     R"(missing; write for example "residual_friction_angle: 20 deg")", 1},
+    {"UndrainedStrengthOfZero",
+     "model: drucker_prager\n      cohesion: 1 kPa\n      friction_angle: 25 deg\n      dilatancy_angle: 0 deg\n      "
+     "maximum_cohesion_increase: 100 kPa\n      cohesion_suction_rate: 0.07         # B of Eq. 15\n      "
+     "friction_angle_suction_rate: 0 deg  # A of Eq. 16\n",
+     "model: von_mises\n      undrained_strength: 0 kPa\n", "soils.sandy_clay.strength.undrained_strength",
+     "must be above 0 Pa, got 0 kPa", 1},
+    {"FrictionWithoutCoefficient", "base: fixed", "base: friction", "walls.base_friction",
+     R"(missing; write for example "base_friction: 0.4")"},
+    {"CoefficientWithoutFriction", "base: fixed", "base: fixed, left_friction: 0.4", "walls.left_friction",
+     "has a meaning only for a wall of the kind friction; remove it"},
+    {"NegativeFriction", "base: fixed", "base: friction, base_friction: -0.4", "walls.base_friction",
+     "must be at least 0, got -0.4"},
+    {"AbsorbingWithoutDepth", "base: fixed", "base: absorbing", "walls.absorbing_depth",
+     R"(missing; write for example "absorbing_depth: 20 m")"},
+    {"DepthWithoutAbsorbing", "base: fixed", "base: fixed, absorbing_depth: 20 m", "walls.absorbing_depth",
+     "has a meaning only for a wall of the kind absorbing; remove it"},
+    {"K0WithoutItsStress", "type: hydrostatic, water_table: 3 m}\n",
+     "type: hydrostatic, water_table: 3 m}\n  k0_coefficient: 0.5\n", "initial.k0_coefficient",
+     R"(has a meaning only with "stress: k0"; remove one or add the other)", 1},
+    {"K0OfZero", "type: hydrostatic, water_table: 3 m}\n",
+     "type: hydrostatic, water_table: 3 m}\n  k0_coefficient: 0\n", "initial.k0_coefficient", "must be above 0, got 0",
+     1},
+    {"SeismicCoefficientWithAUnit", "walls: {left", "seismic: {horizontal_coefficient: 1 m/s2}\nwalls: {left",
+     "seismic.horizontal_coefficient",
+     R"(expected a number without a unit, such as 0.35 (or in percent, "35 %"), got "1 m/s2", which is an acceleration)"},
+    {"SeismicStartBeforeTheRun", "walls: {left", "seismic: {horizontal_coefficient: 0.1, start: -1 s}\nwalls: {left",
+     "seismic.start", "must be at least 0 s, got -1 s"},
     {"ResidualAboveMaximum", "residual_saturation: 0\n      maximum_saturation: 1",
      "residual_saturation: 0.9\n      maximum_saturation: 0.8", "soils.sandy_clay.retention.residual_saturation",
      "must be below maximum_saturation, 0.8, got 0.9"},
@@ -201,6 +250,18 @@ TEST(CaseProblems, AnEmptyCaseIsToldEveryKeyThatItNeeds) {
     EXPECT_TRUE(problem.message.starts_with("missing; write for example \"" + problem.key + ": ")) << problem.message;
   }
   EXPECT_EQ(keys, (std::vector<std::string>{"domain", "walls", "soils", "geometry", "initial", "stop"}));
+}
+
+TEST(CaseProblems, JakysFormulaNeedsAFrictionAngle) {
+  const auto file = shipped_cases() / "quick.yaml";
+  EXPECT_TRUE(problems_of(file, {"initial.stress=k0"}).empty());
+  const auto problems = problems_of(
+      file, {"initial.stress=k0", "soils.silty_sand.strength={model: von_mises, undrained_strength: 9 kPa}"});
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_EQ(problems[0].key, "initial.k0_coefficient");
+  EXPECT_EQ(problems[0].message,
+            R"(missing; the soil "silty_sand" has no friction angle for Jaky's formula; write for example )"
+            R"("k0_coefficient: 0.5")");
 }
 
 /// Files that hold no case at all.

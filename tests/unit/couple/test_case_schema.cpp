@@ -220,12 +220,27 @@ TEST_F(CaseSchema, AnIncludingCaseIsStillChecked) {
 TEST_F(CaseSchema, EveryAlternativeIsAccepted) {
   const std::vector<std::string> assignments{
       "soils.silty_sand.strength={model: elastic}",
+      "soils.silty_sand.strength={model: von_mises, undrained_strength: 20 kPa}",
+      "soils.silty_sand.strength={model: von_mises, undrained_strength: 20 kPa, softening: "
+      "{residual_undrained_strength: "
+      "5 kPa, from_plastic_strain: 0, to_plastic_strain: 10 %}}",
+      "soils.silty_sand.strength.model=mohr_coulomb",
+      "soils.silty_sand.strength={model: mohr_coulomb, cohesion: 5 kPa, friction_angle: 30 deg, dilatancy_angle: 5 "
+      "deg, "
+      "maximum_cohesion_increase: 0 kPa, cohesion_suction_rate: 0, friction_angle_suction_rate: 0 deg, softening: "
+      "{residual_cohesion: 0 kPa, residual_friction_angle: 20 deg, from_plastic_strain: 1 %, to_plastic_strain: 10 %, "
+      "characteristic_length: 0.5 m}}",
       "soils.silty_sand.retention={model: exponential, alpha: 1 1/m, residual_saturation: 0.1, maximum_saturation: 1}",
       "soils.silty_sand.retention={model: liakopoulos, coefficient: 0.1, exponent: 2, floor: 0.1}",
       "soils.silty_sand.relative_permeability={model: liakopoulos, coefficient: 2.2, exponent: 1, floor: 1e-5}",
       "soils.silty_sand.relative_permeability={model: exponential, alpha: 1 1/m}",
       "soils.silty_sand.relative_permeability={model: van_genuchten_mualem, n: 2, residual_saturation: 0, "
       "maximum_saturation: 1}",
+      "walls={left: friction, right: absorbing, base: friction, left_friction: 0.2, base_friction: 0.4, "
+      "absorbing_depth: "
+      "20 m}",
+      "seismic={horizontal_coefficient: 0.1, vertical_coefficient: -5 %, start: 1 s, ramp: 2 s}",
+      "initial={water: {type: uniform, pressure: 0 kPa}, stress: k0, k0_coefficient: 0.6}",
       "initial.water={type: uniform, pressure: -3 kPa}",
       "initial.water={type: hydrostatic, water_table: 2 m, maximum_suction: 50 kPa}",
   };

@@ -132,11 +132,18 @@ std::string full_case() {
           "water_boundaries:\n"
           "  - {name: river, at: left, to: 2 m, total_head: 2.5 m, applied_to: face, initial: true}\n"
           "  - {name: drizzle, at: right, from: 11 m, flux: 36 mm/h, start: 3 min}\n");
+  replace("left: roller, right: roller, base: fixed",
+          "left: friction, right: roller, base: absorbing, left_friction: 0.3, absorbing_depth: 20 m");
+  replace("stress: self_weight", "stress: k0\n  k0_coefficient: 0.6");
   replace("skeleton: deformable", "skeleton: rigid");
+  replace("model: drucker_prager\n",
+          "model: mohr_coulomb\n      softening: {residual_cohesion: 0.5 kPa, residual_friction_angle: 20 deg, "
+          "from_plastic_strain: 1 %, to_plastic_strain: 10 %, characteristic_length: 0.25 m}\n");
   replace("relative_permeability: {model: hillel, exponent: 2}",
           "relative_permeability: {model: van_genuchten_mualem, floor: 1e-7}");
   content +=
       "  snapshots: [3 s, 1 s, 3 s]\n"
+      "seismic: {horizontal_coefficient: 0.1, vertical_coefficient: -5 %, start: 2 s, ramp: 3 s}\n"
       "numerics: {shape_function: linear, flip_fraction: 95 %, courant_number: 0.3, pressure_tolerance: 0.1, "
       "smoothing_length: 1.3}\n"
       "clock: {adaptive: false, inertia_limit: 0.1, change_fraction: 0.2, maximum_factor: 10}\n"
@@ -164,6 +171,25 @@ TEST(CaseValues, EveryKeyReachesTheCase) {
   EXPECT_EQ(input.tractions[0].traction, (Point{0.0, -1.0e4}));
   EXPECT_EQ(input.tractions[0].start, 3600.0);
   EXPECT_EQ(input.skeleton, Skeleton::rigid);
+  const auto& strength = std::get<solid::MohrCoulomb>(input.soils.at(0).solid.strength);
+  EXPECT_EQ(strength.cohesion, 1.0e3);
+  ASSERT_TRUE(strength.softening.has_value());
+  EXPECT_EQ(strength.softening->residual_cohesion, 500.0);
+  EXPECT_NEAR(strength.softening->residual_friction_angle, 20.0 * std::numbers::pi / 180.0, 1e-15);
+  EXPECT_EQ(strength.softening->range.from, 0.01);
+  EXPECT_EQ(strength.softening->range.to, 0.1);
+  EXPECT_EQ(strength.softening->range.characteristic_length, 0.25);
+  EXPECT_EQ(input.walls.left, Wall::friction);
+  EXPECT_EQ(input.walls.left_friction, 0.3);
+  EXPECT_EQ(input.walls.right_friction, std::nullopt);
+  EXPECT_EQ(input.walls.base, Wall::absorbing);
+  EXPECT_EQ(input.walls.absorbing_depth, 20.0);
+  EXPECT_EQ(input.seismic.horizontal_coefficient, 0.1);
+  EXPECT_EQ(input.seismic.vertical_coefficient, -0.05);
+  EXPECT_EQ(input.seismic.start, 2.0);
+  EXPECT_EQ(input.seismic.ramp, 3.0);
+  EXPECT_EQ(input.initial_stress, InitialStress::k0);
+  EXPECT_EQ(input.k0_coefficient, 0.6);
   const auto& permeability = input.soils.at(0).seepage.relative_permeability;
   EXPECT_EQ(std::get<seepage::VanGenuchtenMualem>(permeability.law).n, 3.0);
   EXPECT_EQ(permeability.floor, 1.0e-7);
@@ -186,9 +212,9 @@ TEST(CaseValues, EveryKeyIsWrittenBack) {
   const CaseFolder folder;
   const std::string resolved = resolved_yaml(read_case(folder.write("slope.yaml", full_case())));
   EXPECT_EQ(resolved_yaml(read_case(folder.write("resolved.yaml", resolved))), resolved);
-  for (const char* line :
-       {"gravity: 3.71 m/s2", "type: steady", "total_head: 2.5 m", "flux: 1e-05 m/s", "flip_fraction: 0.95",
-        "applied_to: face", "initial: true", "youngs_modulus: 10 MPa", "friction_angle: 25 deg"}) {
+  for (const char* line : {"gravity: 3.71 m/s2", "type: steady", "total_head: 2.5 m", "flux: 1e-05 m/s",
+                           "flip_fraction: 0.95", "applied_to: face", "initial: true", "model: mohr_coulomb",
+                           "to_plastic_strain: 0.1", "youngs_modulus: 10 MPa", "friction_angle: 25 deg"}) {
     EXPECT_NE(resolved.find(line), std::string::npos) << line << "\n" << resolved;
   }
 }

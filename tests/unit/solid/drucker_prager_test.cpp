@@ -42,11 +42,13 @@ TEST(ReturnMapping, EndsOnTheSurfaceFromAnywhereOutside) {
         EXPECT_EQ(stress.xx, trial.xx);
         EXPECT_EQ(stress.xy, trial.xy);
         break;
+      case Return::edge:
+        FAIL() << "a cone has no edge";
       case Return::apex:
         ++on_apex;
         EXPECT_NEAR(std::sqrt(second_invariant(stress)), 0.0, 1e-15 * scale);
         [[fallthrough]];
-      case Return::cone:
+      case Return::face:
         ++on_cone;
         EXPECT_GT(cone.value(trial), 0.0);
         EXPECT_NEAR(cone.value(stress), 0.0, 1e-12 * (size_of(trial) + size_of(stress)));
@@ -64,7 +66,7 @@ TEST(ReturnMapping, FollowsTheFlowDirection) {
     const YieldCone cone = SuctionDependentCone(strength).at(0.0);
     const SymmetricTensor trial{-2.0e5, -5.0e4, -9.0e4, 6.0e4};
     SymmetricTensor stress = trial;
-    ASSERT_EQ(return_to_yield_surface(cone, elastic, stress), Return::cone);
+    ASSERT_EQ(return_to_yield_surface(cone, elastic, stress), Return::face);
     // plastic strain = multiplier (s / (2 sqrt(J_2)) + eta(psi) I): its volume over its shear tells the direction
     const SymmetricTensor s = deviator(trial), t = deviator(stress);
     const double multiplier =
@@ -83,7 +85,7 @@ TEST(ReturnMapping, WithoutFrictionIsVonMises) {
   EXPECT_DOUBLE_EQ(cone.xi_c, 2.0e4);
   for (const double mean : {-1.0e6, 0.0, 1.0e6}) {
     SymmetricTensor stress{mean + 5.0e4, mean - 5.0e4, mean, 1.0e4};
-    EXPECT_EQ(return_to_yield_surface(cone, elastic, stress), Return::cone);
+    EXPECT_EQ(return_to_yield_surface(cone, elastic, stress), Return::face);
     EXPECT_NEAR(std::sqrt(second_invariant(stress)), 2.0e4, 1e-6);
     EXPECT_NEAR(trace(stress), 3.0 * mean, 1e-6);
   }

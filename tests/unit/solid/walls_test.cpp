@@ -84,6 +84,49 @@ TEST_P(CompatibleField, PassesUnchanged) {
   }
 }
 
+// So it does where the nodes on the wall move: the soil slides and shears, and a wall without friction takes nothing.
+TEST(Walls, AShearedLayerThatSlidesPassesUnchanged) {
+  Block block = filled_box(Wall::friction);
+  block.walls.left = block.walls.right = Wall::free;
+  block.soil.elastic.youngs_modulus = 1e-6;
+  MaterialPointMethod solid = block.build();
+  Particles& p = solid.particles();
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    p.vx[i] = 1.0 + p.y[i];
+    p.cxy[i] = 1.0;
+  }
+  for (int step = 0; step < 200; ++step) {
+    solid.predict(1e-3, {}, {}, 0.0);
+    solid.advance(1e-3, {}, {.yields = false, .moves = false});
+  }
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    EXPECT_NEAR(p.vx[i], 1.0 + p.y[i], 1e-9);
+    EXPECT_NEAR(p.vy[i], 0.0, 1e-9);
+  }
+}
+
+// A wall with much friction is a fixed one as long as nothing slides, to the last bit.
+TEST(Walls, FrictionThatHoldsIsAFixedWall) {
+  std::array<Particles, 2> after;
+  for (const Wall wall : {Wall::fixed, Wall::friction}) {
+    Block block = filled_box(wall);
+    block.walls.left = block.walls.right = Wall::roller;
+    block.walls.base_friction = 1e3;
+    block.settings.gravity = 9.81;
+    MaterialPointMethod solid = block.build();
+    Particles& p = solid.particles();
+    std::fill(p.syy.begin(), p.syy.end(), -1e5);
+    for (int step = 0; step < 50; ++step) {
+      solid.predict(1e-3, {}, {}, 0.0, {1.0, 0.0});
+      solid.advance(1e-3, {}, {.yields = false});
+    }
+    after[wall == Wall::friction] = p;
+  }
+  EXPECT_EQ(after[0].x, after[1].x);
+  EXPECT_EQ(after[0].vx, after[1].vx);
+  EXPECT_EQ(after[0].syy, after[1].syy);
+}
+
 // Particles that graze the base leave their image nodes with mass enough for their momentum.
 TEST(Walls, AThinLayerOnTheBaseIsNotThrownUp) {
   Block block = filled_box(Wall::fixed);

@@ -27,6 +27,7 @@ void add_particle(couple::ParticleTable& table, couple::Point position, double v
   table.stress_effective.push_back({});
   table.strain.push_back({});
   table.deviatoric_strain.push_back(0.0);
+  table.plastic_strain.push_back(0.0);
   table.saturation.push_back(1.0);
   table.porosity.push_back(0.35);
   table.soil.push_back(0);

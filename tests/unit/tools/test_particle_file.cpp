@@ -31,8 +31,8 @@ couple::ParticleTable numbered_particles(double time) {
       }
       field->push_back(tensor);
     }
-    for (auto* field : {&table.deviatoric_strain, &table.pore_pressure, &table.suction, &table.saturation,
-                        &table.porosity, &table.volume}) {
+    for (auto* field : {&table.deviatoric_strain, &table.plastic_strain, &table.pore_pressure, &table.suction,
+                        &table.saturation, &table.porosity, &table.volume}) {
       field->push_back(next());
     }
     table.soil.push_back(7 * p);
@@ -78,6 +78,7 @@ TEST(ParticleFile, GivesBackEveryValue) {
     expect_tensor(data, "stress_effective", p, table.stress_effective[i]);
     expect_tensor(data, "strain", p, table.strain[i]);
     EXPECT_EQ(value(data, "deviatoric_strain", p), table.deviatoric_strain[i]);
+    EXPECT_EQ(value(data, "plastic_strain", p), table.plastic_strain[i]);
     EXPECT_EQ(value(data, "pore_pressure", p), table.pore_pressure[i]);
     EXPECT_EQ(value(data, "suction", p), table.suction[i]);
     EXPECT_EQ(value(data, "saturation", p), table.saturation[i]);

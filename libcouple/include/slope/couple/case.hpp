@@ -29,12 +29,14 @@ struct Domain {
   SurfaceParticles surface_particles = SurfaceParticles::lattice;
 };
 
-enum class Wall { free, roller, fixed };
+enum class Wall { free, roller, fixed, friction, absorbing };
 
 struct Walls {
   Wall left = Wall::roller;
   Wall right = Wall::roller;
   Wall base = Wall::fixed;
+  std::optional<double> left_friction, right_friction, base_friction;  ///< coefficient of a wall with friction (-)
+  std::optional<double> absorbing_depth;  ///< how far the soil goes on behind an absorbing wall until it is fixed (m)
 };
 
 /// One named soil: what each solver needs of it.
@@ -75,7 +77,9 @@ struct SteadyWater {
 };
 using InitialWater = std::variant<HydrostaticWater, WaterTable, UniformWater, SteadyWater>;
 
-enum class InitialStress { self_weight, none };
+/// How the effective stress before the start is found. `k0`: the vertical one from the weight of the column above, the
+/// horizontal ones in a given ratio to it.
+enum class InitialStress { self_weight, k0, none };
 
 /// The particles that a condition acts on, chosen at the start and followed as they move.
 enum class Place { ground_surface, base, left, right };
@@ -106,7 +110,16 @@ struct WaterBoundary {
   bool initial = false;  ///< holds in the steady state before the start too
 };
 
-/// A traction (Pa; x and y components) on the particles of a place.
+/// A pseudo-static earthquake: a body force on soil and water, in shares of their weight.
+struct Seismic {
+  double horizontal_coefficient = 0.0;  ///< k_h (-), positive towards +x
+  double vertical_coefficient = 0.0;    ///< k_v (-), positive upwards
+  double start = 0.0;                   ///< time from which it acts (s)
+  double ramp = 0.0;                    ///< time over which it grows linearly (s)
+};
+
+/// A traction (Pa; x and y components) on the particles of a place; on the ground surface and the base per horizontal
+/// metre, on a side per vertical one.
 struct Traction {
   std::string name;
   PlaceRange where;
@@ -178,8 +191,10 @@ struct Case {
   seepage::Water water;
   InitialWater initial_water;
   InitialStress initial_stress = InitialStress::self_weight;
+  std::optional<double> k0_coefficient;  ///< horizontal over vertical effective stress (-); none: 1 - sin(phi') (Jaky)
   std::vector<WaterBoundary> water_boundaries;
   std::vector<Traction> tractions;
+  Seismic seismic;
   Scheme scheme = Scheme::semi_implicit;
   Skeleton skeleton = Skeleton::deformable;
   MixtureDensity mixture_density = MixtureDensity::by_saturation;

@@ -34,6 +34,7 @@ struct ParticleTable {
   std::vector<PlaneTensor> stress_effective;  ///< (Pa)
   std::vector<PlaneTensor> strain;            ///< accumulated (-)
   std::vector<double> deviatoric_strain;      ///< eps_q = sqrt(2/3 e:e) (-)
+  std::vector<double> plastic_strain;         ///< accumulated deviatoric plastic strain (-)
   std::vector<double> pore_pressure;          ///< P_w (Pa)
   std::vector<double> suction;                ///< s = -P_w (Pa)
   std::vector<double> saturation;             ///< S_r (-)

@@ -1,12 +1,10 @@
 #pragma once
 
+#include "slope/solid/return.hpp"
 #include "slope/solid/soil.hpp"
 #include "slope/solid/tensor.hpp"
 
 namespace slope::solid {
-
-/// Standard atmosphere P_atm (Pa), the scale of suction in Eqs. 15 and 16.
-inline constexpr double atmospheric_pressure = 101325.0;
 
 /// Coefficients of the yield function f = sqrt(J_2) + eta I_1 - xi c (paper, Eq. 11) at one suction.
 struct YieldCone {
@@ -18,22 +16,20 @@ struct YieldCone {
   [[nodiscard]] double value(const SymmetricTensor& stress) const;
 };
 
-/// The cone as a function of suction (paper, Eqs. 13-16); a suction below zero counts as zero.
+/// The cone as a function of suction (paper, Eqs. 13-16) and plastic strain; a suction below zero counts as zero.
 /// The plastic potential is g = sqrt(J_2) + eta(psi) I_1, so that psi = phi is associated; Eq. 12 as printed is not.
 class SuctionDependentCone {
  public:
   explicit SuctionDependentCone(const DruckerPrager& strength);
   /// @param suction  s (Pa), any sign
-  [[nodiscard]] YieldCone at(double suction) const;
+  /// @param plastic_strain  accumulated, deviatoric (-), >= 0
+  [[nodiscard]] YieldCone at(double suction, double plastic_strain = 0.0) const;
 
  private:
   DruckerPrager strength_;
   YieldCone saturated_;  // at zero suction
   double xi_;            // Eq. 14 at phi'
 };
-
-/// What the return mapping came to.
-enum class Return { elastic, cone, apex };
 
 /// Brings a trial stress back to the yield surface, exactly for this linear cone: along the flow direction onto its
 /// flank, or onto its tip where the flank would be overshot. On return, cone.value(stress) is zero to rounding if the

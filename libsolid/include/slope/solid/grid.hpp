@@ -5,13 +5,18 @@
 
 namespace slope::solid {
 
-/// How a wall holds the soil: not at all, normal to itself only, or altogether.
-enum class Wall { free, roller, fixed };
+/// How a wall holds the soil: not at all; normal to itself only; altogether; normal to itself, and along itself up to
+/// a share of the effective normal force; or as more of the same soil would, which takes waves away.
+enum class Wall { free, roller, fixed, friction, absorbing };
 
 struct Walls {
   Wall left = Wall::roller;
   Wall right = Wall::roller;
   Wall base = Wall::fixed;
+  double left_friction = 0.0;    ///< coefficient (-), >= 0, of a wall of the kind `friction`
+  double right_friction = 0.0;   ///< (-)
+  double base_friction = 0.0;    ///< (-)
+  double absorbing_depth = 0.0;  ///< how far the soil goes on behind an absorbing wall until it is fixed (m), > 0
 };
 
 /// The background grid: square cells in a box whose left, right and lower sides are walls. Nodes stand at the corners

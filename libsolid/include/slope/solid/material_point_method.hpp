@@ -3,16 +3,15 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstddef>
-#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "slope/solid/drucker_prager.hpp"
 #include "slope/solid/grid.hpp"
 #include "slope/solid/particles.hpp"
 #include "slope/solid/soil.hpp"
+#include "slope/solid/strength_law.hpp"
 
 namespace slope::solid {
 
@@ -56,9 +55,9 @@ struct ParticleTraction {
 
 /// What one step moves.
 struct StepMode {
-  bool yields = true;  ///< false: elastic, whatever the strength
-  bool moves = true;   ///< false: stress builds up at fixed positions, volumes and porosity
-  bool accumulates_strain = true;
+  bool yields = true;              ///< false: elastic, whatever the strength
+  bool moves = true;               ///< false: stress builds up at fixed positions, volumes and porosity
+  bool accumulates_strain = true;  ///< false: neither strain nor plastic strain is added up
 };
 
 /// Sums over the grid of the latest step, for histories and control.
@@ -93,9 +92,18 @@ class MaterialPointMethod {
   /// v* = (v + dt M^-1 f) / (1 + damping dt).
   /// @param tractions  each acts over one particle spacing of surface (Eq. 17)
   /// @param damping  mass-proportional viscous damping (1/s), >= 0; it slows what follows in the same step alike
+  /// @param body_acceleration  of a body force on soil and water besides gravity (m/s2)
   /// @throws SolidError if a particle is outside of the grid; std::invalid_argument if there are tractions but no
   /// particle spacing in the settings
-  void predict(double dt, const PoreState& pore, std::span<const ParticleTraction> tractions, double damping);
+  void predict(double dt, const PoreState& pore, std::span<const ParticleTraction> tractions, double damping,
+               std::array<double, 2> body_acceleration = {0.0, 0.0});
+
+  /// Lets absorbing walls yield. Until then they are fixed, so that an initial state can be found; from then on they
+  /// bear what they bore in the latest step, and resist what moves them: by a dashpot of the impedance of the drained
+  /// soil at the wall (Lysmer and Kuhlemeyer 1969), and by a spring of the soil's stiffness over the absorbing depth,
+  /// without which a change of load would move them for ever.
+  /// @param water_mass  as in stable_step()
+  void release_walls(std::span<const double> water_mass);
 
   /// Volumetric strain increment dt div v of the present grid velocity, averaged over each cell (-), one per particle.
   void volumetric_strain(double dt, std::span<double> strain) const;
@@ -142,12 +150,27 @@ class MaterialPointMethod {
   };
   // Per node, the sum over the particles of a cell of V G_ip, wall conditions folded in.
   using CellGradient = std::array<Eigen::Array2d, 16>;
+  // A node on a wall that can move: by friction along it, or absorbing. Beyond it the soil is the mirror image, turned
+  // over, of the soil inside as seen from the moving node.
+  struct WallNode {
+    std::size_t on = 0, inside = 0;  // on the wall and next to it
+    Eigen::Index normal = 0;         // axis
+    double inwards = 1.0;            // sign of the inner normal along that axis
+    Wall wall = Wall::friction;
+    double friction = 0.0;
+    double image_mass = 0.0;                               // what the particles gave the node outside (kg/m)
+    double push = 0.0;                                     // of the soil against the wall (N/m)
+    Eigen::Array2d reaction = Eigen::Array2d::Zero();      // force of the wall at rest (N/m)
+    Eigen::Array2d displacement = Eigen::Array2d::Zero();  // since the release (m)
+    Eigen::Array2d dashpot = Eigen::Array2d::Zero();       // (N s/m2)
+    Eigen::Array2d spring = Eigen::Array2d::Zero();        // (N/m2)
+  };
   // What the loop over the particles needs of a soil, worked out once.
   struct Material {
-    explicit Material(const Soil& soil);
+    Material(const Soil& soil, double cell_size);
     Elastic elastic;
     double shear, lame;
-    std::optional<SuctionDependentCone> cone;
+    StrengthLaw strength;
   };
 
   template <class Shape>
@@ -155,11 +178,13 @@ class MaterialPointMethod {
   void sort_into_cells();
   template <class Visit>
   void for_each_cell(const Visit& visit) const;
-  void scatter(const PoreState& pore);
+  void scatter(const PoreState& pore, const Eigen::Array2d& acceleration);
   template <class Shape>
   void add_tractions(std::span<const ParticleTraction> tractions);
-  void fold_walls();
+  void fold_walls(double dt);
   void hold_walls();
+  void find_wall_nodes();
+  void move_walls(double dt);
   void unfold_walls();
   void update_velocity(double dt, double damping);
   void sum_cell_gradients();
@@ -187,6 +212,10 @@ class MaterialPointMethod {
   std::vector<std::size_t> cell_particles_;  // particles by cell
   std::vector<Cell> cells_;                  // in grid order; one more at the end, for its first particle
   std::vector<std::size_t> bands_;           // first cell of each band of rows, see for_each_cell()
+
+  std::vector<WallNode> wall_nodes_;  // in the order of their images, see for_each_image()
+  bool walls_released_ = false;
+  double push_time_ = 0.0;  // over which friction follows the normal force (s)
 
   std::vector<Node> node_;
   std::vector<Eigen::Array2d> old_velocity_, velocity_;

@@ -16,6 +16,7 @@ struct Particles {
   std::vector<double> cxx, cxy, cyx, cyy;  ///< affine velocity field dv_x/dx, dv_x/dy, dv_y/dx, dv_y/dy of APIC (1/s)
   std::vector<double> sxx, syy, szz, sxy;  ///< effective stress sigma' (Pa)
   std::vector<double> exx, eyy, exy;       ///< accumulated strain (-); e_zz = 0
+  std::vector<double> plastic_strain;      ///< accumulated deviatoric plastic strain, sum of sqrt(2/3 de:de) (-), >= 0
   std::vector<double> volume;              ///< V (m2)
   std::vector<double> solid_mass;          ///< (1 - n) rho_s V, constant (kg/m)
   std::vector<double> porosity;            ///< n (-)

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <optional>
 #include <variant>
 
 namespace slope::solid {
@@ -18,21 +20,71 @@ struct Elastic {
 /// The soil never yields.
 struct NoYield {};
 
-/// Drucker-Prager strength matched to Mohr-Coulomb in plane strain, with suction-dependent cohesion
-/// and friction angle (paper, Eqs. 11-16). Suction below zero counts as zero.
-struct DruckerPrager {
+/// Over which plastic strain a strength falls, linearly, from its peak to its residual value.
+struct SofteningRange {
+  double from = 0.0;  ///< accumulated deviatoric plastic strain (-) up to which the peak holds, >= 0
+  double to = 0.0;    ///< and from which on the residual value holds, > from
+  /// Cell size (m) for which `to - from` was found; with cells of another size h the soil softens over
+  /// (to - from) characteristic_length / h. Zero: the same strain whatever the cell size.
+  double characteristic_length = 0.0;
+
+  /// Share of the fall that is over (-), in [0, 1].
+  [[nodiscard]] double share(double plastic_strain) const {
+    return std::clamp((plastic_strain - from) / (to - from), 0.0, 1.0);
+  }
+  /// The range for cells of that size (m).
+  [[nodiscard]] SofteningRange in_cells_of(double cell_size) const {
+    if (characteristic_length == 0.0) return *this;
+    return {from, from + (to - from) * characteristic_length / cell_size, 0.0};
+  }
+};
+
+/// Softening of cohesion and friction angle. The dilatancy angle falls to zero with them: at its residual strength the
+/// soil keeps its volume. What suction adds does not soften.
+struct FrictionalSoftening {
+  double residual_cohesion = 0.0;        ///< (Pa), in [0, c']
+  double residual_friction_angle = 0.0;  ///< (rad), in [0, phi']
+  SofteningRange range;
+};
+
+/// Strength by cohesion and friction angle, both stronger with suction (paper, Eqs. 15, 16). Suction below zero counts
+/// as zero. `Shape` only tells the laws apart.
+template <class Shape>
+struct FrictionalStrength {
   double cohesion = 0.0;                     ///< c' (Pa), >= 0: cohesion at zero suction
   double friction_angle = 0.0;               ///< phi' (rad), in [0, pi/2): friction angle at zero suction
   double dilatancy_angle = 0.0;              ///< psi (rad), in [0, phi']
   double maximum_cohesion_increase = 0.0;    ///< Delta c_max (Pa), >= 0
   double cohesion_suction_rate = 0.0;        ///< B (-), >= 0
   double friction_angle_suction_rate = 0.0;  ///< A (rad): increase of phi per atmosphere of suction
+  std::optional<FrictionalSoftening> softening = std::nullopt;  ///< none: the strength is that of the peak for ever
 };
+
+/// Drucker-Prager strength matched to Mohr-Coulomb in plane strain (paper, Eqs. 11-14).
+using DruckerPrager = FrictionalStrength<struct DruckerPragerCone>;
+
+/// Mohr-Coulomb strength: the largest ratio of shear to normal stress decides, whatever the intermediate stress.
+using MohrCoulomb = FrictionalStrength<struct MohrCoulombPyramid>;
+
+/// Softening of the undrained shear strength.
+struct UndrainedSoftening {
+  double residual_undrained_strength = 0.0;  ///< (Pa), in [0, s_u]
+  SofteningRange range;
+};
+
+/// Von Mises strength, for clay that is too fast loaded to drain: it depends neither on the mean stress nor on suction,
+/// and plastic strain keeps the volume.
+struct VonMises {
+  double undrained_strength = 0.0;  ///< s_u (Pa), > 0: the largest shear stress in plane strain
+  std::optional<UndrainedSoftening> softening = std::nullopt;
+};
+
+using Strength = std::variant<NoYield, DruckerPrager, MohrCoulomb, VonMises>;
 
 /// What the soil skeleton of one material is made of.
 struct Soil {
   Elastic elastic;
-  std::variant<NoYield, DruckerPrager> strength;
+  Strength strength;
   double grain_density = 0.0;  ///< rho_s (kg/m3), > 0
 };
 
