@@ -5,7 +5,8 @@ namespace slope::testing {
 Block::Block(double width, double height, double cell_size, double margin) {
   input.domain.upper = {width + margin, height + margin};
   input.domain.cell_size = cell_size;
-  input.walls = {couple::Wall::roller, couple::Wall::free, couple::Wall::roller};
+  input.walls.right = couple::Wall::free;
+  input.walls.base = couple::Wall::roller;
   couple::Soil soil;
   soil.solid.elastic = {10.0e6, 0.33};
   soil.solid.grain_density = 2700.0;

@@ -72,7 +72,7 @@ Flight shear_in_flight(double last_shear) {
   couple::Case& input = block.input;
   input.domain.lower = {-4.0 * cell_size, -4.0 * cell_size};
   input.domain.upper = {2.5 * size, 1.5 * size};
-  input.walls = {couple::Wall::free, couple::Wall::free, couple::Wall::free};
+  input.walls.left = input.walls.right = input.walls.base = couple::Wall::free;
   input.soils[0].solid.elastic.youngs_modulus = 1.0;
   const couple::InitialParticles particles = block.particles();
   const std::size_t count = particles.x.size();
