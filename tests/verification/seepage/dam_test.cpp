@@ -1,6 +1,7 @@
 // Steady seepage through a rectangular dam with a free surface and an exit face above the tail water. Its discharge is
-// exactly K (h1^2 - h2^2) / 2 L (Charny 1951), whatever the shape of the water table; the capillary fringe of a coarse
-// soil adds about a hundredth to that.
+// exactly K (h1^2 - h2^2) / 2 L (Charny 1951), whatever the shape of the water table. By the same argument, with the
+// integral of the conductivity over the pressure in place of the pressure, the capillary fringe of an exponential soil
+// adds K (h1 - exit height) / (alpha L), here a sixteenth.
 
 #include <gtest/gtest.h>
 
@@ -14,7 +15,8 @@ namespace slope::seepage {
 namespace {
 
 struct Dam {
-  static constexpr double length = 1.5, height = 1.2, upstream = 1.0, downstream = 0.2, conductivity = 1.0e-3;
+  static constexpr double length = 1.5, height = 1.2, upstream = 1.0, downstream = 0.2, conductivity = 1.0e-3,
+                          fringe = 20.0;
 
   double discharge = 0.0, inflow = 0.0, exit_height = 0.0;
   AirFlow air;
@@ -26,8 +28,8 @@ struct Dam {
     const MirrorWalls walls{.base = 0.0};
     const Water water;
     Soil soil;
-    soil.retention = ExponentialRetention{.alpha = 100.0, .range = {0.1, 1.0}};
-    soil.relative_permeability.law = ExponentialPermeability{.alpha = 100.0};
+    soil.retention = ExponentialRetention{.alpha = fringe, .range = {0.1, 1.0}};
+    soil.relative_permeability.law = ExponentialPermeability{.alpha = fringe};
     soil.hydraulic_conductivity = conductivity;
     FlowSettings settings;
     settings.spacing = spacing;
@@ -57,7 +59,7 @@ struct Dam {
       }
     }
     double step = 1.0;
-    for (int k = 0; k < 200 && step < 1.0e9; ++k) {
+    for (int k = 0; k < 400 && step < 1.0e9; ++k) {
       const SolveReport report = flow.advance(step, skeleton, boundary, 0.01);
       step *= report.converged ? 2.0 : 0.25;
     }
@@ -71,6 +73,9 @@ struct Dam {
     }
   }
 
+  [[nodiscard]] double without_fringe() const {
+    return discharge - conductivity * (upstream - exit_height) / (fringe * length);
+  }
   static constexpr double exact = conductivity * (upstream * upstream - downstream * downstream) / (2.0 * length);
 };
 
@@ -80,9 +85,10 @@ TEST(Dam, DischargesWhatCharnySays) {
   EXPECT_GT(dam.air.seepage, 0.1 * dam.discharge) << "an exit face is there";
   EXPECT_GT(dam.exit_height, Dam::downstream + 0.05);
   EXPECT_EQ(dam.air.infiltration, 0.0) << "air is not sucked in as water";
-  EXPECT_TRUE(slope::testing::record("dam-exit-face",
-                                     "Dam with an exit face, 48 particles high: discharge, off K (h1^2 - h2^2) / 2L",
-                                     slope::testing::at_most(0.02), std::abs(dam.discharge / Dam::exact - 1.0), "%"));
+  EXPECT_TRUE(slope::testing::record(
+      "dam-exit-face",
+      "Dam with an exit face, 48 particles high: discharge without the fringe's, off K (h1^2 - h2^2) / 2L",
+      slope::testing::at_most(0.02), std::abs(dam.without_fringe() / Dam::exact - 1.0), "%"));
 }
 
 }  // namespace
