@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <charconv>
 #include <fstream>
 #include <optional>
 #include <string_view>
@@ -31,19 +30,17 @@ std::optional<std::array<std::string_view, 2>> cells_of(std::string_view line) {
   return std::array{trimmed(line.substr(0, comma)), trimmed(line.substr(comma + 1))};
 }
 
-/// What one of the unit is in SI units; "mm_per_h" is mm/h.
-std::optional<double> unit_value(std::string_view cell, std::string_view prefix, Dimension dimension) {
-  if (!cell.starts_with(prefix)) return std::nullopt;
-  std::string unit(cell.substr(prefix.size()));
-  if (const auto per = unit.find("_per_"); per != std::string::npos) unit.replace(per, 5, "/");
-  const auto value = parse_quantity("1 " + unit, dimension);
+std::optional<double> value_of(std::string_view number, const std::string& unit, Dimension dimension) {
+  const auto value = parse_quantity(fmt::format("{} {}", number, unit), dimension);
   return std::holds_alternative<double>(value) ? std::optional(std::get<double>(value)) : std::nullopt;
 }
 
-std::optional<double> number(std::string_view text) {
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return error == std::errc() && end == text.data() + text.size() ? std::optional(value) : std::nullopt;
+/// The unit that a column's name ends with, "mm/h" of "intensity_mm_per_h"; none if it is not one of the dimension.
+std::optional<std::string> unit_of(std::string_view name, std::string_view quantity, Dimension dimension) {
+  if (!name.starts_with(quantity)) return std::nullopt;
+  std::string unit(name.substr(quantity.size()));
+  if (const auto per = unit.find("_per_"); per != std::string::npos) unit.replace(per, 5, "/");
+  return value_of("1", unit, dimension) ? std::optional(unit) : std::nullopt;
 }
 
 }  // namespace
@@ -52,7 +49,7 @@ std::variant<std::vector<RainStep>, std::string> read_hyetograph(const std::file
   std::ifstream stream(file);
   if (!stream) return fmt::format("the file {} cannot be read; the path counts from the case's folder", file.string());
   std::vector<RainStep> steps;
-  std::optional<double> time_unit, intensity_unit;
+  std::optional<std::string> time_unit, intensity_unit;
   std::string line;
   for (int row = 1; std::getline(stream, line); ++row) {
     if (trimmed(line).empty() || line.front() == '#') continue;
@@ -60,15 +57,15 @@ std::variant<std::vector<RainStep>, std::string> read_hyetograph(const std::file
     const auto cells = cells_of(line);
     if (!time_unit) {
       if (!cells) return wrong(expected_header);
-      time_unit = unit_value((*cells)[0], "time_", Dimension::time);
-      intensity_unit = unit_value((*cells)[1], "intensity_", Dimension::velocity);
+      time_unit = unit_of((*cells)[0], "time_", Dimension::time);
+      intensity_unit = unit_of((*cells)[1], "intensity_", Dimension::velocity);
       if (!time_unit || !intensity_unit) return wrong(expected_header);
       continue;
     }
-    const auto time = cells ? number((*cells)[0]) : std::nullopt;
-    const auto intensity = cells ? number((*cells)[1]) : std::nullopt;
+    const auto time = cells ? value_of((*cells)[0], *time_unit, Dimension::time) : std::nullopt;
+    const auto intensity = cells ? value_of((*cells)[1], *intensity_unit, Dimension::velocity) : std::nullopt;
     if (!time || !intensity) return wrong("expected two numbers, a time and the intensity from then on");
-    steps.push_back({*time * *time_unit, *intensity * *intensity_unit});
+    steps.push_back({*time, *intensity});
     if (steps.size() > 1 && steps.back().time <= steps[steps.size() - 2].time) {
       return wrong("times must grow from row to row");
     }

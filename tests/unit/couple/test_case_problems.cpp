@@ -183,7 +183,7 @@ const Mistake places[] = {
     {"FluxInAParticle", "pressure: 0 kPa, applied_to: particle", "flux: 1 mm/h, applied_to: particle",
      "water_boundaries.rain.applied_to", "a flux always enters through the face; remove this key"},
     {"SteadyWithoutBoundary", "type: hydrostatic", "type: steady", "initial.water",
-     R"(steady seepage needs a water boundary with a pressure or total_head and "initial: true")"},
+     R"(steady seepage needs a water boundary with a pressure, total_head or rain and "initial: true")"},
     {"InitialWithoutSteady", "ramp: 5 s}", "ramp: 5 s, initial: true}", "water_boundaries.rain.initial",
      "has a meaning only with initial.water of type steady; remove it"},
     {"LoadBesideTheSoil", "coupling:\n",
