@@ -16,6 +16,7 @@ double ramp_share(double time, double start, double ramp) {
 Point outwards_of(Place place) {
   switch (place) {
     case Place::ground_surface:
+    case Place::free_surface:
       return {0.0, 1.0};
     case Place::base:
       return {0.0, -1.0};
@@ -27,6 +28,15 @@ Point outwards_of(Place place) {
   return {0.0, 0.0};
 }
 
+// Intensity during a step that ends at a time and passes none at which the rain changes.
+double intensity_until(const Rain& rain, double time) {
+  double intensity = 0.0;
+  for (const RainStep& step : rain.hyetograph) {
+    if (step.time < time) intensity = step.intensity;
+  }
+  return intensity;
+}
+
 }  // namespace
 
 BoundaryConditions::BoundaryConditions(const Case& input, const InitialParticles& particles)
@@ -35,7 +45,9 @@ BoundaryConditions::BoundaryConditions(const Case& input, const InitialParticles
       seismic_(input.seismic),
       gravity_(input.gravity),
       face_distance_(particles.face_distance),
-      spacing_(particles.spacing) {
+      takes_rain_(particles.x.size(), true),
+      spacing_(particles.spacing),
+      surface_(particles.spacing, mirror_walls(input)) {
   const auto add_times = [this](double start, double ramp) {
     change_times_.push_back(start);
     if (ramp > 0.0) change_times_.push_back(start + ramp);
@@ -44,6 +56,8 @@ BoundaryConditions::BoundaryConditions(const Case& input, const InitialParticles
     water_particles_.push_back(particles_at(boundary.where, particles));
     names_.push_back(boundary.name);
     add_times(boundary.start, boundary.ramp);
+    if (is_rain(names_.size() - 1)) continue;
+    for (const std::size_t p : water_particles_.back()) takes_rain_[p] = false;
   }
   for (const Traction& traction : tractions_) {
     traction_particles_.push_back(particles_at(traction.where, particles));
@@ -58,16 +72,23 @@ BoundaryConditions::BoundaryConditions(const Case& input, const InitialParticles
   first_pressure_.assign(particles.x.size(), 0.0);
 }
 
-void BoundaryConditions::apply(double time, const Mixture& mixture, Actions& actions) const {
+void BoundaryConditions::apply(double time, const Mixture& mixture, Actions& actions) {
   actions.water.held.clear();
   actions.water.faces.clear();
   actions.water.inflows.clear();
+  actions.water.open_faces.clear();
   actions.water.count = water_.size();
   actions.tractions.clear();
   const double shaking = time >= seismic_.start ? gravity_ * ramp_share(time, seismic_.start, seismic_.ramp) : 0.0;
   actions.body_acceleration = {shaking * seismic_.horizontal_coefficient, shaking * seismic_.vertical_coefficient};
   for (std::size_t b = 0; b < water_.size(); ++b) {
-    if (time >= water_[b].start) add_water(b, ramp_share(time, water_[b].start, water_[b].ramp), mixture, actions);
+    if (time < water_[b].start) continue;
+    const double share = ramp_share(time, water_[b].start, water_[b].ramp);
+    if (const auto* rain = std::get_if<Rain>(&water_[b].condition)) {
+      add_rain(b, share * intensity_until(*rain, time), mixture, actions);
+    } else {
+      add_water(b, share, mixture, actions);
+    }
   }
   for (std::size_t k = 0; k < tractions_.size(); ++k) {
     const Traction& traction = tractions_[k];
@@ -81,11 +102,44 @@ void BoundaryConditions::apply(double time, const Mixture& mixture, Actions& act
   }
 }
 
-void BoundaryConditions::apply_initial(const Mixture& mixture, Actions& actions) const {
+void BoundaryConditions::apply_initial(const Mixture& mixture, Actions& actions) {
   actions = {};
   actions.water.count = water_.size();
   for (std::size_t b = 0; b < water_.size(); ++b) {
-    if (water_[b].initial) add_water(b, 1.0, mixture, actions);
+    if (!water_[b].initial) continue;
+    if (const auto* rain = std::get_if<Rain>(&water_[b].condition)) {
+      add_rain(b, rain->before_start.value_or(rain->hyetograph.front().intensity), mixture, actions);
+    } else {
+      add_water(b, 1.0, mixture, actions);
+    }
+  }
+}
+
+double BoundaryConditions::next_rain_change(double time) const {
+  double next = never;
+  for (const WaterBoundary& boundary : water_) {
+    const auto* rain = std::get_if<Rain>(&boundary.condition);
+    if (rain == nullptr) continue;
+    for (const RainStep& step : rain->hyetograph) {
+      if (step.time > time) next = std::min(next, step.time);
+    }
+  }
+  return next;
+}
+
+// Rain falls vertically: each particle gets it on the width that is seen from above. All of the surface lets water out.
+void BoundaryConditions::add_rain(std::size_t boundary, double intensity, const Mixture& mixture, Actions& actions) {
+  const auto& rain = std::get<Rain>(water_[boundary].condition);
+  const PlaceRange& where = water_[boundary].where;
+  const double ponding_pressure = mixture.water.water().unit_weight() * rain.ponding_depth;
+  surface_.update(mixture.skeleton());
+  for (const seepage::SurfacePiece& piece : surface_.pieces()) {
+    const double x = mixture.soil.particles().x[piece.particle];
+    const double distance = face_distance_[piece.particle];
+    if (!takes_rain_[piece.particle] || x < where.from || x > where.to) continue;
+    actions.water.open_faces.push_back({piece.particle, static_cast<std::uint32_t>(boundary), intensity * piece.width,
+                                        ponding_pressure, -rain.evaporation_limit, distance * piece.ny, distance,
+                                        piece.area});
   }
 }
 

@@ -6,18 +6,20 @@
 #include "mixture.hpp"
 #include "slope/couple/case.hpp"
 #include "slope/couple/geometry.hpp"
+#include "slope/seepage/free_surface.hpp"
 
 namespace slope::couple {
 
-/// The case's water boundaries, tractions and earthquake, tied to the particles that they were given at the start.
+/// The case's water boundaries, tractions and earthquake, tied to the particles that they were given at the start; rain
+/// to those that are the free surface now. A particle that another water boundary has takes no rain.
 class BoundaryConditions {
  public:
   BoundaryConditions(const Case& input, const InitialParticles& particles);
 
-  /// Sets what acts at a time (s); pressures ramp from those of the start.
-  void apply(double time, const Mixture& mixture, Actions& actions) const;
+  /// Sets what acts in a step that ends at a time (s); pressures ramp from those of the start.
+  void apply(double time, const Mixture& mixture, Actions& actions);
   /// What holds before the start: the conditions marked `initial`, at their full value.
-  void apply_initial(const Mixture& mixture, Actions& actions) const;
+  void apply_initial(const Mixture& mixture, Actions& actions);
   /// Pressures from which ramps start.
   void remember_pressures(std::span<const double> pressure) {
     first_pressure_.assign(pressure.begin(), pressure.end());
@@ -25,11 +27,18 @@ class BoundaryConditions {
 
   /// Times at which a condition begins or ends its ramp, ascending (s).
   [[nodiscard]] const std::vector<double>& change_times() const { return change_times_; }
+  /// The first time after the one given (s) at which a rain changes.
+  [[nodiscard]] double next_rain_change(double time) const;
+  /// Whether a water boundary is rain, whose parts the water counts as air_flow().
+  [[nodiscard]] bool is_rain(std::size_t boundary) const {
+    return std::holds_alternative<Rain>(water_[boundary].condition);
+  }
   /// Names of the water boundaries, by the index under which the water counts them.
   [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
 
  private:
   void add_water(std::size_t boundary, double share, const Mixture& mixture, Actions& actions) const;
+  void add_rain(std::size_t boundary, double intensity, const Mixture& mixture, Actions& actions);
 
   std::vector<WaterBoundary> water_;
   std::vector<Traction> tractions_;
@@ -40,7 +49,9 @@ class BoundaryConditions {
   std::vector<double> change_times_;
   std::vector<double> first_pressure_;
   std::vector<double> face_distance_;
+  std::vector<bool> takes_rain_;  // of each particle
   double spacing_;
+  seepage::FreeSurface surface_;
 };
 
 }  // namespace slope::couple

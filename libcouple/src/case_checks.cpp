@@ -108,17 +108,17 @@ bool overlap(const PlaceRange& a, const PlaceRange& b) {
   return a.place == b.place && std::max(a.from, b.from) < std::min(a.to, b.to);
 }
 
-/// A particle whose pressure is held takes no second water condition.
+/// A particle whose pressure is held, or on which rain falls, takes no second condition of that place.
 void check_overlaps(const Input& place, const std::vector<WaterBoundary>& boundaries) {
   const auto held = [](const WaterBoundary& boundary) {
-    return std::holds_alternative<PrescribedPressure>(boundary.condition);
+    return !std::holds_alternative<PrescribedFlux>(boundary.condition);
   };
   for (std::size_t i = 0; i < boundaries.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
       if (!overlap(boundaries[i].where, boundaries[j].where) || !(held(boundaries[i]) || held(boundaries[j]))) continue;
-      place.item(i).problem(
-          fmt::format("overlaps with \"{}\", and a pressure can be held only once; part them by \"from\" and \"to\"",
-                      boundaries[j].name));
+      const bool rain = boundaries[i].where.place == Place::free_surface;
+      place.item(i).problem(fmt::format("overlaps with \"{}\", and {} only once; part them by \"from\" and \"to\"",
+                                        boundaries[j].name, rain ? "rain can fall" : "a pressure can be held"));
     }
   }
 }
@@ -129,14 +129,14 @@ void check_steady(const Input& root, const Case& input) {
   bool held = false;
   for (std::size_t i = 0; i < input.water_boundaries.size(); ++i) {
     const WaterBoundary& boundary = input.water_boundaries[i];
-    held = held || (boundary.initial && std::holds_alternative<PrescribedPressure>(boundary.condition));
+    held = held || (boundary.initial && !std::holds_alternative<PrescribedFlux>(boundary.condition));
     if (boundary.initial && !steady) {
       place.item(i).at("initial").problem("has a meaning only with initial.water of type steady; remove it");
     }
   }
   if (steady && !held) {
     root.at("initial").at("water").problem(
-        "steady seepage needs a water boundary with a pressure or total_head and \"initial: true\"");
+        "steady seepage needs a water boundary with a pressure, total_head or rain and \"initial: true\"");
   }
 }
 

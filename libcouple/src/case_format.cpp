@@ -208,9 +208,12 @@ Format<Case> initial_format() {
 Format<Case> coupling_format() {
   return Record<Case>()
       .optional("scheme", &Case::scheme,
-                choice<Scheme>({{"semi_implicit", Scheme::semi_implicit}, {"explicit", Scheme::explicit_two_pass}}),
+                choice<Scheme>({{"semi_implicit", Scheme::semi_implicit},
+                                {"explicit", Scheme::explicit_two_pass},
+                                {"seepage", Scheme::seepage}}),
                 "semi_implicit: stiff water at the soil's own time step; explicit: the paper's own cycle (section 2.6) "
-                "with its two-pass operator, for reference on short runs")
+                "with its two-pass operator, for reference on short runs; seepage: the water alone in unmoved soil, in "
+                "long steps")
       .optional("skeleton", &Case::skeleton,
                 choice<Skeleton>({{"deformable", Skeleton::deformable}, {"rigid", Skeleton::rigid}}),
                 "whether the pore water feels the volume change of the skeleton")

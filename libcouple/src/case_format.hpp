@@ -18,7 +18,9 @@ inline constexpr const char* library_soil_key = "soil";
 [[nodiscard]] Format<std::string> library_format();
 
 /// The keys of a water boundary of which it has exactly one.
-inline constexpr std::array water_conditions{"pressure", "total_head", "flux"};
+inline constexpr std::array water_conditions{"pressure", "total_head", "flux", "rain"};
+/// The keys of rain of which it has exactly one.
+inline constexpr std::array rain_conditions{"intensity", "hyetograph", "file"};
 
 [[nodiscard]] Format<Soil> soil_format();
 [[nodiscard]] Format<InitialWater> initial_water_format();

@@ -1,7 +1,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <filesystem>
+
 #include "case_format.hpp"
+#include "hyetograph_file.hpp"
 
 namespace slope::couple {
 
@@ -11,28 +14,39 @@ constexpr auto itself = [](auto& value) -> auto& {
   return value;
 };
 
-/// A water boundary as it stands in the file: one of three conditions.
+/// A water boundary as it stands in the file: one of four conditions.
 struct WaterBoundaryText {
   WaterBoundary common;  ///< all but the condition
   std::optional<double> pressure, total_head, flux;
+  std::optional<Rain> rain;
   std::optional<bool> at_face;
 };
 
+/// Rain as it stands in the file: one intensity, steps, or a file of steps.
+struct RainText {
+  Rain common;  ///< all but the hyetograph
+  std::optional<double> intensity;
+  std::vector<RainStep> hyetograph;
+  std::string file;
+};
+
+using Places = std::vector<std::pair<std::string, Place>>;
+
+Places particle_places() {
+  return {
+      {"ground_surface", Place::ground_surface}, {"base", Place::base}, {"left", Place::left}, {"right", Place::right}};
+}
+
 /// The fields that say where a condition holds.
 template <class Condition>
-void add_place(Record<Condition>& record, auto where) {
-  const auto place = choice<Place>({{"ground_surface", Place::ground_surface},
-                                    {"base", Place::base},
-                                    {"left", Place::left},
-                                    {"right", Place::right}});
+void add_place(Record<Condition>& record, auto where, Places places, const std::string& description) {
+  const auto place = choice<Place>(std::move(places));
   const auto part_of = [where](auto member) {
     return [ where, member ](auto& condition) -> auto& {
       return where(condition).*member;
     };
   };
-  record
-      .required("at", part_of(&PlaceRange::place), place,
-                "the uppermost or lowest particle of each column, or the outermost of each row", "ground_surface")
+  record.required("at", part_of(&PlaceRange::place), place, description, "ground_surface")
       .optional("from", part_of(&PlaceRange::from), quantity(Dimension::length),
                 "only particles from this x on (left, right: from this y on)")
       .optional("to", part_of(&PlaceRange::to), quantity(Dimension::length),
@@ -51,13 +65,125 @@ void add_times(Record<Condition>& record, auto of) {
           "how long it takes to go from what is there to the prescribed value");
 }
 
+/// [time, intensity]
+Format<RainStep> rain_step_format() {
+  const Format<double> time = quantity(Dimension::time, at_least(0.0));
+  const Format<double> intensity = quantity(Dimension::velocity);
+  Document either = Document::map();
+  either.set("anyOf", Document::list({time.schema, intensity.schema}));
+  Document schema = Document::map();
+  schema.set("type", Document::text("array"))
+      .set("items", std::move(either))
+      .set("minItems", Document::number(2))
+      .set("maxItems", Document::number(2));
+  const auto read = [time, intensity](const Input& input, RainStep& step) {
+    if (!expect_list(input, 2)) return;
+    if (input.node().children.size() > 2) {
+      input.problem("expected [time, intensity], such as [2 h, 40 mm/h]");
+      return;
+    }
+    time.read(input.item(0), step.time);
+    intensity.read(input.item(1), step.intensity);
+  };
+  const auto write = [time, intensity](const RainStep& step) {
+    return Document::list({time.write(step.time), intensity.write(step.intensity)});
+  };
+  return {read, write, std::move(schema)};
+}
+
+void from_text(const Input& input, const RainText& text, Rain& rain) {
+  rain = text.common;
+  const int given = text.intensity.has_value() + !text.hyetograph.empty() + !text.file.empty();
+  if (given != 1) {
+    input.problem(fmt::format("needs one of {}, got {}; write for example \"intensity: 20 mm/h\"",
+                              fmt::join(rain_conditions, ", "), given == 0 ? "none" : std::to_string(given)));
+    return;
+  }
+  rain.hyetograph = text.hyetograph;
+  if (text.intensity) rain.hyetograph = {{0.0, *text.intensity}};
+  for (std::size_t i = 1; i < text.hyetograph.size(); ++i) {
+    if (text.hyetograph[i].time > text.hyetograph[i - 1].time) continue;
+    input.at("hyetograph").item(i).problem("times must grow from step to step");
+  }
+  if (text.file.empty()) return;
+  const auto read = read_hyetograph(std::filesystem::path(input.file()).parent_path() / text.file);
+  if (const auto* wrong = std::get_if<std::string>(&read)) {
+    input.at("file").problem(*wrong);
+    return;
+  }
+  rain.hyetograph = std::get<std::vector<RainStep>>(read);
+}
+
+RainText to_text(const Rain& rain) {
+  RainText text{rain, {}, {}, {}};
+  const bool constant = rain.hyetograph.size() == 1 && rain.hyetograph.front().time == 0.0;
+  if (constant) {
+    text.intensity = rain.hyetograph.front().intensity;
+  } else {
+    text.hyetograph = rain.hyetograph;
+  }
+  return text;
+}
+
+/// The branches of a schema of which exactly one holds: one of the keys is there.
+Document exactly_one_of(const auto& keys) {
+  std::vector<Document> branches;
+  for (const char* key : keys) {
+    Document branch = Document::map();
+    branch.set("required", Document::list({Document::text(key)}));
+    branches.push_back(std::move(branch));
+  }
+  return Document::list(std::move(branches));
+}
+
+Format<Rain> rain_format() {
+  const auto common = [](auto member) {
+    return [member](auto& text) -> auto& {
+      return text.common.*member;
+    };
+  };
+  Record<RainText> record;
+  record
+      .optional(
+          "intensity", &RainText::intensity, maybe(quantity(Dimension::velocity)),
+          "rain per horizontal metre, the same all the time; negative: what the air could evaporate; 0: water may "
+          "leave, nothing more")
+      .optional("hyetograph", &RainText::hyetograph, list_of(rain_step_format(), 1),
+                "steps [time, intensity], each from its time on; before the first there is none")
+      .optional("file", &RainText::file, path_text(),
+                "CSV file of such steps, path from the file it stands in, with a header that names the units, such as "
+                "time_h,intensity_mm_per_h")
+      .optional("ponding_depth", common(&Rain::ponding_depth), quantity(Dimension::length, at_least(0.0)),
+                "of the water that stays on the ground while rain runs off")
+      .optional("evaporation_limit", common(&Rain::evaporation_limit), quantity(Dimension::pressure, above(0.0)),
+                "suction to which negative rain dries the surface at most")
+      .optional("before_start", common(&Rain::before_start), maybe(quantity(Dimension::velocity)),
+                "intensity in the steady seepage before the start, with \"initial: true\"; without it the first one");
+  Format<Rain> format = converted<RainText, Rain>(
+      record.format(), [](const Input& input, const RainText& text, Rain& rain) { from_text(input, text, rain); },
+      [](const Rain& rain) { return to_text(rain); });
+  format.schema.set("oneOf", exactly_one_of(rain_conditions));
+  return format;
+}
+
 void from_text(const Input& input, const WaterBoundaryText& text, WaterBoundary& boundary) {
   boundary = text.common;
-  const int given = text.pressure.has_value() + text.total_head.has_value() + text.flux.has_value();
+  const int given =
+      text.pressure.has_value() + text.total_head.has_value() + text.flux.has_value() + text.rain.has_value();
   if (given != 1) {
     input.problem(
-        fmt::format("needs one of pressure, total_head and flux, got {}; write for example \"pressure: 0 kPa\"",
+        fmt::format("needs one of pressure, total_head, flux and rain, got {}; write for example \"pressure: 0 kPa\"",
                     given == 0 ? "none" : std::to_string(given)));
+    return;
+  }
+  if ((boundary.where.place == Place::free_surface) != text.rain.has_value()) {
+    input.at("at").problem(text.rain ? "rain falls on the free surface; write \"at: free_surface\""
+                                     : "the free surface takes rain only; write \"at: ground_surface\"");
+    return;
+  }
+  if (text.rain) {
+    boundary.condition = *text.rain;
+    if (text.at_face) input.at("applied_to").problem("rain always enters through the face; remove this key");
     return;
   }
   if (text.flux) {
@@ -69,7 +195,11 @@ void from_text(const Input& input, const WaterBoundaryText& text, WaterBoundary&
 }
 
 WaterBoundaryText to_text(const WaterBoundary& boundary) {
-  WaterBoundaryText text{boundary, {}, {}, {}, {}};
+  WaterBoundaryText text{boundary, {}, {}, {}, {}, {}};
+  if (const auto* rain = std::get_if<Rain>(&boundary.condition)) {
+    text.rain = *rain;
+    return text;
+  }
   if (const auto* flux = std::get_if<PrescribedFlux>(&boundary.condition)) {
     text.flux = flux->flux;
     return text;
@@ -79,17 +209,6 @@ WaterBoundaryText to_text(const WaterBoundary& boundary) {
   text.total_head = held.total_head;
   if (!held.total_head) text.pressure = held.pressure;
   return text;
-}
-
-/// The branches of a schema of which exactly one holds: one of the conditions is there.
-Document exactly_one_condition() {
-  std::vector<Document> branches;
-  for (const char* key : water_conditions) {
-    Document branch = Document::map();
-    branch.set("required", Document::list({Document::text(key)}));
-    branches.push_back(std::move(branch));
-  }
-  return Document::list(std::move(branches));
 }
 
 }  // namespace
@@ -136,15 +255,24 @@ Format<WaterBoundary> water_boundary_format() {
   record.required(
       "name", [](auto& text) -> auto& { return text.common.name; }, name_text(),
       "by which the summary and --set call it", "rain");
+  Places places = particle_places();
+  places.emplace_back("free_surface", Place::free_surface);
   add_place(
-      record, [](auto& text) -> auto& { return text.common.where; });
+      record, [](auto& text) -> auto& { return text.common.where; }, std::move(places),
+      "the uppermost or lowest particle of each column, or the outermost of each row; free_surface, for rain: where "
+      "soil "
+      "meets air, found anew as it moves");
   record
-      .optional("pressure", &WaterBoundaryText::pressure, maybe(quantity(Dimension::pressure)),
-                "prescribed pore-water pressure, positive in compression")
+      .optional(
+          "pressure", &WaterBoundaryText::pressure, maybe(quantity(Dimension::pressure)),
+          "prescribed pore-water pressure, positive in compression; zero at the ground is the upper bound of any rain "
+          "that does not pond")
       .optional("total_head", &WaterBoundaryText::total_head, maybe(quantity(Dimension::length)),
                 "prescribed total head, pressure head plus y")
       .optional("flux", &WaterBoundaryText::flux, maybe(quantity(Dimension::velocity)),
                 "prescribed flux per area of the surface, positive into the soil")
+      .optional("rain", &WaterBoundaryText::rain, maybe(rain_format()),
+                "rain or evaporation on the free surface, which water may leave but never enters by suction")
       .optional(
           "applied_to", &WaterBoundaryText::at_face, maybe(choice<bool>({{"particle", false}, {"face", true}})),
           "where a pressure or head holds: in the particle (default) or at the face half a spacing outside of it");
@@ -152,8 +280,13 @@ Format<WaterBoundary> water_boundary_format() {
   record.optional(
       "initial", [](auto& text) -> auto& { return text.common.initial; }, flag(),
       "holds in the steady seepage before the start too");
-  Format<WaterBoundary> format = converted<WaterBoundaryText, WaterBoundary>(record.format(), from_text, to_text);
-  format.schema.set("oneOf", exactly_one_condition());
+  Format<WaterBoundary> format = converted<WaterBoundaryText, WaterBoundary>(
+      record.format(),
+      [](const Input& input, const WaterBoundaryText& text, WaterBoundary& boundary) {
+        from_text(input, text, boundary);
+      },
+      [](const WaterBoundary& boundary) { return to_text(boundary); });
+  format.schema.set("oneOf", exactly_one_of(water_conditions));
   return format;
 }
 
@@ -161,7 +294,8 @@ Format<Traction> traction_format() {
   Record<Traction> record;
   record.required("name", &Traction::name, name_text(), "by which messages and --set call it", "fill");
   add_place(
-      record, [](auto& load) -> auto& { return load.where; });
+      record, [](auto& load) -> auto& { return load.where; }, particle_places(),
+      "the uppermost or lowest particle of each column, or the outermost of each row");
   record.required(
       "traction", &Traction::traction, pair_of(Dimension::pressure),
       "x and y components of the force per horizontal metre on ground_surface and base, whatever their "

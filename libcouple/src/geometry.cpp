@@ -273,8 +273,9 @@ InitialParticles fill_regions(const Domain& domain, const std::vector<Region>& r
 }
 
 std::vector<std::size_t> particles_at(const PlaceRange& where, const InitialParticles& particles) {
-  const bool by_column = where.place == Place::ground_surface || where.place == Place::base;
-  const bool outermost_is_largest = where.place == Place::ground_surface || where.place == Place::right;
+  const bool top = where.place == Place::ground_surface || where.place == Place::free_surface;
+  const bool by_column = top || where.place == Place::base;
+  const bool outermost_is_largest = top || where.place == Place::right;
   const std::vector<int>& line = by_column ? particles.column : particles.row;
   const std::vector<double>& across = by_column ? particles.x : particles.y;
   const std::vector<double>& outwards = by_column ? particles.y : particles.x;

@@ -81,7 +81,7 @@ std::vector<double> initial_pressure(const Case& input, const InitialParticles& 
   return pressure;
 }
 
-void find_steady_flow(Mixture& mixture, const BoundaryConditions& conditions) {
+void find_steady_flow(Mixture& mixture, BoundaryConditions& conditions) {
   Actions actions;
   conditions.apply_initial(mixture, actions);
   const double tolerance = 1.0e-3;  // Pa

@@ -15,7 +15,7 @@ namespace slope::couple {
 
 /// Lets the water flow in the unmoved soil until it is steady under the conditions that hold before the start.
 /// @throws SimulationError if it does not come to rest
-void find_steady_flow(Mixture& mixture, const BoundaryConditions& conditions);
+void find_steady_flow(Mixture& mixture, BoundaryConditions& conditions);
 
 /// Builds the self-weight stress at fixed positions, first elastic, then with the soil's strength, by damped motion;
 /// the pore pressure stays as it is. @return the unbalanced over the gravity forces that are left (-)

@@ -116,14 +116,17 @@ bool differ_in_kind(const Document& base, const Document& over) {
     const Document* now = over.find(word);
     return before != nullptr && now != nullptr && before->kind == Document::Kind::value && before->value != now->value;
   };
-  const auto condition_of = [](const Document& map) {
-    return std::find_if(water_conditions.begin(), water_conditions.end(),
-                        [&](const char* key) { return map.find(key) != nullptr; });
+  const auto other_condition = [&](const auto& conditions) {
+    const auto condition_of = [&](const Document& map) {
+      return std::find_if(conditions.begin(), conditions.end(),
+                          [&](const char* key) { return map.find(key) != nullptr; });
+    };
+    const auto before = condition_of(base);
+    const auto now = condition_of(over);
+    return before != now && before != conditions.end() && now != conditions.end();
   };
-  const auto before = condition_of(base);
-  const auto now = condition_of(over);
-  const bool other_condition = before != now && before != water_conditions.end() && now != water_conditions.end();
-  return other_condition || other_word("model") || other_word("type");
+  return other_condition(water_conditions) || other_condition(rain_conditions) || other_word("model") ||
+         other_word("type");
 }
 
 Document merged_maps(const Document& base, const Document& over) {

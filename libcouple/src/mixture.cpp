@@ -54,9 +54,7 @@ seepage::PoreFlow make_water(const Case& input, const InitialParticles& particle
   settings.spacing = particles.spacing;
   settings.smoothing_ratio = input.numerics.smoothing_length;
   settings.threads = threads;
-  if (input.walls.left != Wall::free) settings.walls.left = input.domain.lower[0];
-  if (input.walls.right != Wall::free) settings.walls.right = input.domain.upper[0];
-  if (input.walls.base != Wall::free) settings.walls.base = input.domain.lower[1];
+  settings.walls = mirror_walls(input);
   seepage::Water water = input.water;
   water.gravity = input.gravity;
   return {std::move(soils), water, soil_indices(particles), pressure, skeleton, settings};
@@ -67,6 +65,14 @@ seepage::Skeleton view(const solid::Particles& p) {
 }
 
 }  // namespace
+
+seepage::MirrorWalls mirror_walls(const Case& input) {
+  seepage::MirrorWalls walls;
+  if (input.walls.left != Wall::free) walls.left = input.domain.lower[0];
+  if (input.walls.right != Wall::free) walls.right = input.domain.upper[0];
+  if (input.walls.base != Wall::free) walls.base = input.domain.lower[1];
+  return walls;
+}
 
 Mixture::Mixture(const Case& input, const InitialParticles& particles, std::span<const double> pressure, int threads)
     : soil(make_soil(input, particles, threads)),

@@ -10,6 +10,9 @@
 
 namespace slope::couple {
 
+/// The walls at which the water sees its mirror image: those that are not free.
+[[nodiscard]] seepage::MirrorWalls mirror_walls(const Case& input);
+
 /// One set of particles with both solvers on it: what each of them sees of the other. Index p is the same material
 /// point in both.
 class Mixture {

@@ -6,6 +6,7 @@ namespace slope::couple {
 
 AnyScheme make_scheme(const Case& input) {
   if (input.scheme == Scheme::explicit_two_pass) return ExplicitScheme();
+  if (input.scheme == Scheme::seepage) return SeepageScheme();
   return SemiImplicitScheme(input.numerics.pressure_tolerance);
 }
 

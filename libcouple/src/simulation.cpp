@@ -86,6 +86,9 @@ struct Simulation::State {
   }
 
   void step();
+  seepage::SolveReport step_mixture(double next);
+  seepage::SolveReport step_water(SeepageScheme& seepage, double next);
+  [[nodiscard]] WaterBudget water_budget() const;
   void observe_water();
   void observe_displacement();
   void check_end();
@@ -135,6 +138,7 @@ struct Simulation::State {
 double Simulation::State::next_stop() const {
   double next = std::min(input.stop.time, clock.next_change(time + sliver * time_step));
   next = std::min(next, history_time(history_rows));
+  next = std::min(next, conditions.next_rain_change(time + sliver * time_step));
   if (next_snapshot < snapshot_times.size()) next = std::min(next, snapshot_times[next_snapshot]);
   if (result.onset_time) next = std::min(next, *result.onset_time + input.stop.after_onset);
   return next;
@@ -142,6 +146,16 @@ double Simulation::State::next_stop() const {
 
 void Simulation::State::step() {
   const double next = next_stop();
+  auto* seepage = std::get_if<SeepageScheme>(&scheme);
+  const auto report = seepage != nullptr ? step_water(*seepage, next) : step_mixture(next);
+  ++steps;
+  pressure_iterations += static_cast<std::size_t>(report.iterations);
+  observe_water();
+  observe_displacement();
+  check_end();
+}
+
+seepage::SolveReport Simulation::State::step_mixture(double next) {
   const ClockControl::Pace pace = clock.pace(time, next, time_step);
   clock_factor = pace.factor;
   if (pace.velocity_scale < 1.0) mixture.slow_down(pace.velocity_scale);
@@ -151,22 +165,49 @@ void Simulation::State::step() {
   conditions.apply(after, mixture, actions);
   const auto report = std::visit([&](auto& s) { return s.step(mixture, actions, time_step, clock_factor); }, scheme);
   time = after;
-  ++steps;
-  pressure_iterations += static_cast<std::size_t>(report.iterations);
   const solid::Particles& soil = mixture.soil.particles();
   clock.observe(time_step, soil.ux, soil.uy, mixture.water.pressure());
-  observe_water();
-  observe_displacement();
-  check_end();
+  return report;
+}
+
+seepage::SolveReport Simulation::State::step_water(SeepageScheme& seepage, double next) {
+  for (;;) {
+    time_step = seepage.pace(time, next);
+    const double after = time + (1.0 + sliver) * time_step > next ? next : time + time_step;
+    conditions.apply(after, mixture, actions);
+    const auto report = seepage.step(mixture, actions, time_step, clock_factor);
+    if (!report.converged) continue;
+    time = after;
+    return report;
+  }
 }
 
 void Simulation::State::observe_water() {
   const double water_step = clock_factor * time_step;
   const std::span<const double> rate = mixture.water.inflow_rate();
+  WaterBudget& water = result.water;
   for (std::size_t b = 0; b < rate.size(); ++b) {
-    (rate[b] > 0.0 ? result.water.infiltration : result.water.outflow) += std::abs(rate[b]) * water_step;
-    result.water.by_boundary[conditions.names()[b]] += rate[b] * water_step;
+    water.by_boundary[conditions.names()[b]] += rate[b] * water_step;
+    if (!conditions.is_rain(b)) {
+      (rate[b] > 0.0 ? water.infiltration : water.outflow) += std::abs(rate[b]) * water_step;
+    }
   }
+  const seepage::AirFlow& air = mixture.water.air_flow();
+  water.rain += air.rain * water_step;
+  water.rain_infiltration += air.infiltration * water_step;
+  water.run_off += air.run_off * water_step;
+  water.seepage += air.seepage * water_step;
+  water.evaporation += air.evaporation * water_step;
+  water.infiltration += air.infiltration * water_step;
+  water.outflow += (air.seepage + air.evaporation) * water_step;
+}
+
+WaterBudget Simulation::State::water_budget() const {
+  WaterBudget water = result.water;
+  water.storage = mixture.water.stored_water() - first_storage;
+  const double turnover = std::max(water.infiltration, water.outflow);
+  water.error = turnover > 0.0 ? (water.infiltration - water.outflow - water.storage) / turnover : 0.0;
+  return water;
 }
 
 void Simulation::State::observe_displacement() {
@@ -218,9 +259,10 @@ void Simulation::initialise() {
   s.conditions.remember_pressures(s.mixture.water.pressure());
   const Actions before;
   const double step = s.mixture.soil.stable_step(s.input.numerics.courant_number, s.mixture.water_mass());
-  if (s.input.initial_stress == InitialStress::self_weight) {
+  const bool needs_stress = s.input.scheme != Scheme::seepage;
+  if (needs_stress && s.input.initial_stress == InitialStress::self_weight) {
     s.result.initial_unbalanced_ratio = find_self_weight_stress(s.mixture, before, s.scale, step);
-  } else if (s.input.initial_stress == InitialStress::k0) {
+  } else if (needs_stress && s.input.initial_stress == InitialStress::k0) {
     s.result.initial_unbalanced_ratio =
         find_k0_stress(s.mixture, before, s.scale, step, s.particles.spacing, k0_of_soils(s.input));
   }
@@ -281,7 +323,7 @@ Progress Simulation::progress() const {
   if (s.result.onset_time && s.input.stop.after_onset < never) {
     share = std::max(share, s.time / (*s.result.onset_time + s.input.stop.after_onset));
   }
-  return {s.time, std::min(share, 1.0), s.clock_factor, s.largest_displacement, s.steps};
+  return {s.time, std::min(share, 1.0), s.clock_factor, s.largest_displacement, s.steps, s.result.water.infiltration};
 }
 
 ParticleTable Simulation::particles() const {
@@ -351,6 +393,26 @@ std::vector<double> Simulation::history_row() const {
   return row;
 }
 
+std::vector<HistoryColumn> Simulation::budget_columns() {
+  return {{"time", "s"},       {"rain", "m3/m"},        {"rain infiltration", "m3/m"}, {"run-off", "m3/m"},
+          {"seepage", "m3/m"}, {"evaporation", "m3/m"}, {"infiltration", "m3/m"},      {"outflow", "m3/m"},
+          {"storage", "m3/m"}, {"error", "m3/m"}};
+}
+
+std::vector<double> Simulation::budget_row() const {
+  const WaterBudget water = state_->water_budget();
+  return {state_->time,
+          water.rain,
+          water.rain_infiltration,
+          water.run_off,
+          water.seepage,
+          water.evaporation,
+          water.infiltration,
+          water.outflow,
+          water.storage,
+          water.infiltration - water.outflow - water.storage};
+}
+
 Summary Simulation::summary() const {
   const State& s = *state_;
   Summary summary = s.result;
@@ -360,10 +422,7 @@ Summary Simulation::summary() const {
   summary.steps = s.steps;
   summary.mean_pressure_iterations =
       s.steps == 0 ? 0.0 : static_cast<double>(s.pressure_iterations) / static_cast<double>(s.steps);
-  WaterBudget& water = summary.water;
-  water.storage = s.mixture.water.stored_water() - s.first_storage;
-  const double turnover = std::max(water.infiltration, water.outflow);
-  water.error = turnover > 0.0 ? (water.infiltration - water.outflow - water.storage) / turnover : 0.0;
+  summary.water = s.water_budget();
   return summary;
 }
 

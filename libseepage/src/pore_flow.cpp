@@ -91,6 +91,47 @@ double PoreFlow::face_inflow(const FacePressure& face, double head) const {
   return face_conductance(face) * (face_head - head);
 }
 
+// The laws of the open faces for the present pressure and head, and the parts of them that hold there.
+void PoreFlow::find_open_face_laws(const Boundary& boundary) {
+  open_laws_.clear();
+  open_parts_.clear();
+  for (const OpenFace& face : boundary.open_faces) {
+    const auto held_at = [&](double pressure) {
+      return FacePressure{face.particle, face.boundary, pressure, face.rise, face.distance, face.area};
+    };
+    const double height = elevation_[face.particle] + face.rise;
+    OpenFaceLaw law;
+    law.rain = face.rain;
+    law.wet_conductance = face_conductance(held_at(face.ponding_pressure));
+    law.wet_head = face.ponding_pressure / water_.unit_weight() + height;
+    if (face.rain < 0.0) {
+      law.dry_conductance = face_conductance(held_at(face.lowest_pressure));
+      law.dry_head = face.lowest_pressure / water_.unit_weight() + height;
+    }
+    open_laws_.push_back(law);
+    open_parts_.push_back(law.part_at(head_[face.particle]));
+  }
+}
+
+// Puts the parts of the laws that hold at the head just found into the equations. @return whether one is another.
+bool PoreFlow::switch_open_faces(const Boundary& boundary, double time_step, double flow_scale) {
+  bool switched = false;
+  for (std::size_t k = 0; k < open_laws_.size(); ++k) {
+    const std::size_t p = boundary.open_faces[k].particle;
+    const OpenFaceLaw& law = open_laws_[k];
+    const OpenFaceLaw::Part before = open_parts_[k];
+    const OpenFaceLaw::Part now = law.part_at(head_[p] + change_[p] / water_.unit_weight());
+    if (now == before) continue;
+    const double stiffer = flow_scale * (law.conductance(now) - law.conductance(before));
+    storage_[p] += stiffer;
+    diagonal_[p] += stiffer;
+    right_side_[p] += time_step * (law.inflow(now, head_[p]) - law.inflow(before, head_[p]));
+    open_parts_[k] = now;
+    switched = true;
+  }
+  return switched;
+}
+
 void PoreFlow::finish(double time_step, const Skeleton& skeleton, const Boundary& boundary) {
   const double inverse_weight = 1.0 / water_.unit_weight();
   // the flow of the step, at the conductivities and positions for which it was solved
@@ -103,7 +144,9 @@ void PoreFlow::finish(double time_step, const Skeleton& skeleton, const Boundary
   book(time_step, skeleton, boundary);
 }
 
-// Takes what comes in by faces and inflows off the particles' outflow, and notes it by boundary.
+// Takes what comes in by faces and inflows off the particles' outflow, and notes it by boundary. Of the open faces that
+// is what their laws say at the present head: were the step solved for another part of a law, the particle's defect has
+// the difference.
 void PoreFlow::take_in_boundary_flow(const Boundary& boundary) {
   inflow_rate_.assign(boundary.count, 0.0);
   for (const FacePressure& face : boundary.faces) {
@@ -114,6 +157,15 @@ void PoreFlow::take_in_boundary_flow(const Boundary& boundary) {
   for (const Inflow& inflow : boundary.inflows) {
     outflow_[inflow.particle] -= inflow.rate;
     inflow_rate_[inflow.boundary] += inflow.rate;
+  }
+  air_flow_ = {};
+  for (std::size_t k = 0; k < open_laws_.size(); ++k) {
+    const OpenFace& face = boundary.open_faces[k];
+    const double head = head_[face.particle];
+    const double rate = open_laws_[k].inflow(open_laws_[k].part_at(head), head);
+    outflow_[face.particle] -= rate;
+    inflow_rate_[face.boundary] += rate;
+    air_flow_ += seepage::air_flow(face.rain, rate);
   }
 }
 
@@ -146,6 +198,7 @@ void PoreFlow::advance_explicitly(double time_step, const Skeleton& skeleton, st
   two_pass_->divergence(wx_, wy_, outflow_);
   two_pass_->divergence(vx, vy, work_);
   for (std::size_t p = 0; p < n; ++p) outflow_[p] *= skeleton.volume[p];
+  find_open_face_laws(boundary);
   take_in_boundary_flow(boundary);
   for (std::size_t p = 0; p < n; ++p) {
     const double storage = skeleton.porosity[p] * (saturation_[p] / water_.bulk_modulus + capacity_[p]);

@@ -78,6 +78,12 @@ SolveReport PoreFlow::advance(double time_step, const Skeleton& skeleton, const 
       right_side_[face.particle] += time_step * face_inflow(face, head_[face.particle]);
     }
     for (const Inflow& inflow : boundary.inflows) right_side_[inflow.particle] += time_step * inflow.rate;
+    find_open_face_laws(boundary);
+    for (std::size_t k = 0; k < open_laws_.size(); ++k) {
+      const std::size_t p = boundary.open_faces[k].particle;
+      storage_[p] += flow_scale * open_laws_[k].conductance(open_parts_[k]);
+      right_side_[p] += time_step * open_laws_[k].inflow(open_parts_[k], head_[p]);
+    }
     std::fill(change_.begin(), change_.end(), 0.0);
     for (const HeldPressure& held : boundary.held) change_[held.particle] = held.pressure - pressure_[held.particle];
     operator_.apply(change_, work_);

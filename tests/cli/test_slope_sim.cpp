@@ -66,6 +66,22 @@ class SlopeSim : public testing::Test {
   fs::path scratch_;
 };
 
+TEST_F(SlopeSim, RainIsBookedInTheBudget) {
+  const fs::path out = scratch_ / "rain";
+  const Outcome outcome = run_box(
+      out, {"--set", "water_boundaries=[{name: rain, at: free_surface, rain: {hyetograph: [[0.1 s, 36 mm/h]]}}]"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
+  const auto lines = lines_of(out / "budget.csv");
+  ASSERT_EQ(lines.size(), lines_of(out / "history.csv").size());
+  EXPECT_TRUE(lines[0].starts_with("time [s],rain [m3/m],rain infiltration [m3/m],run-off [m3/m],seepage [m3/m],"));
+  EXPECT_TRUE(lines[3].starts_with("0.1,0,0,0,")) << lines[3];
+  const YAML::Node water = summary_of(out)["water_budget"];
+  const double rain = water["rain_m3_per_m"].as<double>();
+  EXPECT_NEAR(rain, 1.0e-5 * 2.0 * 0.1, 1e-12) << "36 mm/h on 2 m for 0.1 s";
+  EXPECT_NEAR(water["rain_infiltration_m3_per_m"].as<double>() + water["run_off_m3_per_m"].as<double>(), rain, 1e-12);
+  EXPECT_NE(outcome.output.find("infiltrated"), std::string::npos) << outcome.output;
+}
+
 TEST_F(SlopeSim, RunFillsAFolderThatStandsOnItsOwn) {
   const fs::path out = scratch_ / "new" / "run";
   const Outcome outcome = run_box(out, {"--set", "stop.time=0.15 s"});

@@ -28,7 +28,7 @@ couple::Summary a_failure() {
   summary.displacement_times = {{0.02, 618.25}, {1.0, {}}};
   summary.zone_at_onset = couple::FailureZone{1, 2, 3, 4, 5, 6, 7, 8000};
   summary.zone_at_end = couple::FailureZone{15, 7.75, 2.25, 27, 5, 12.75, 0.5, 38000};
-  summary.water = {1.5, 0.25, 1.25, 1e-9, {{"rain", 1.5}, {"outlet", -0.25}}};
+  summary.water = {1.5, 0.25, 1.25, 1e-9, {{"rain", 1.5}, {"outlet", -0.25}}, 2.5, 1.5, 1.0, 0.125, 0.0625};
   summary.largest_displacement = 0.3;
   summary.pressure_checkerboard = std::numeric_limits<double>::quiet_NaN();
   summary.particles = 5089;
@@ -53,6 +53,11 @@ TEST(SummaryJson, IsReadBackWithTheValuesAndUnitsInItsKeys) {
   EXPECT_EQ(json["failure_zone"]["at_end"]["length_m"].as<double>(), 15.0);
   EXPECT_EQ(json["water_budget"]["error"].as<double>(), 1e-9);
   EXPECT_EQ(json["water_budget"]["net_inflow_by_boundary_m3_per_m"]["outlet"].as<double>(), -0.25);
+  EXPECT_EQ(json["water_budget"]["rain_m3_per_m"].as<double>(), 2.5);
+  EXPECT_EQ(json["water_budget"]["rain_infiltration_m3_per_m"].as<double>(), 1.5);
+  EXPECT_EQ(json["water_budget"]["run_off_m3_per_m"].as<double>(), 1.0);
+  EXPECT_EQ(json["water_budget"]["seepage_m3_per_m"].as<double>(), 0.125);
+  EXPECT_EQ(json["water_budget"]["evaporation_m3_per_m"].as<double>(), 0.0625);
   EXPECT_TRUE(json["pressure_checkerboard"].IsNull()) << "JSON has no NaN";
   EXPECT_EQ(json["particles"].as<int>(), 5089);
   EXPECT_EQ(json["steps"].as<int>(), 46312);
@@ -78,17 +83,19 @@ TEST(Report, NamesTheCriterionBesideTheOnset) {
 
 TEST(Report, SaysZoneSuctionAndWaterWithUnits) {
   const std::string report = report_text(a_case(), a_failure(), {"1", "displacement", "", 61.5, 2});
-  for (const char* part : {"890.5 s (displacement above 0.3 m)",
-                           "15.0 m long, 7.8 m high, 2.2 m deep, 27.0 m2, run-out 0.50 m (deviatoric strain above 2 %)",
-                           "38.0 kPa at most", "1.5 m3/m in, 0.25 m3/m out, 1.25 m3/m stored, error 1.0e-09",
-                           "5089 particles, 46312 steps, 61.5 s on 2 threads"}) {
+  for (const char* part :
+       {"890.5 s (displacement above 0.3 m)",
+        "15.0 m long, 7.8 m high, 2.2 m deep, 27.0 m2, run-out 0.50 m (deviatoric strain above 2 %)",
+        "38.0 kPa at most", "1.5 m3/m in, 0.25 m3/m out, 1.25 m3/m stored, error 1.0e-09",
+        "2.5 m3/m: 1.5 m3/m infiltrated, 1 m3/m ran off", "0.125 m3/m seeped out, 0.0625 m3/m evaporated",
+        "5089 particles, 46312 steps, 61.5 s on 2 threads"}) {
     EXPECT_NE(report.find(part), std::string::npos) << part << "\n" << report;
   }
 }
 
 TEST(Progress, ShowsTimeShareClockDisplacementAndTimeLeft) {
-  EXPECT_EQ(progress_text({412.3, 0.25, 12.4, 0.00123, 1000}, 2400.0, 50.0),
-            "412.3 s of 2400 s   25 %  clock x12.4  displacement 1.2 mm  2:30 left");
+  EXPECT_EQ(progress_text({412.3, 0.25, 12.4, 0.00123, 1000, 0.125}, 2400.0, 50.0),
+            "412.3 s of 2400 s   25 %  clock x12.4  displacement 1.2 mm  water in 0.125 m3/m  2:30 left");
   EXPECT_EQ(progress_text({2400.0, 1.0, 1.0, 0.25, 1000}, 2400.0, 50.0),
             "2400 s of 2400 s  100 %  clock x1  displacement 0.25 m");
   EXPECT_EQ(progress_text({100.0, 0.5, 1.0, 0.0, 10}, 200.0, 7265.0),

@@ -98,6 +98,14 @@ void write_histories(const RunFolder& run, const PictureOptions& options, std::v
     scale_curves(suction, 1.0e-3);
     write("suction", "Suction s (kPa)", std::move(suction));
   }
+  auto budget = budget_curves(run.budget);
+  if (!budget.empty()) {
+    const fs::path file = options.folder / "budget.png";
+    write_history_chart(
+        file, options.width,
+        {run.input.title, "Water since the start (m³/m)", run.budget.columns.front(), std::move(budget), run.onset});
+    written.push_back(file);
+  }
 }
 
 void write_profiles(const RunFolder& run, const PictureOptions& options, std::vector<fs::path>& written) {

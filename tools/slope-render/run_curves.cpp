@@ -17,6 +17,19 @@ std::vector<Curve> history_curves(const CsvTable& history, const std::string& qu
   return curves;
 }
 
+std::vector<Curve> budget_curves(const CsvTable& budget) {
+  std::vector<Curve> curves;
+  for (const char* name : {"rain", "infiltration", "run-off", "seepage", "evaporation", "outflow", "storage"}) {
+    const auto column = std::ranges::find(budget.names, std::string(name) + " [m3/m]");
+    if (column == budget.names.end()) continue;
+    const auto& values = budget.columns[static_cast<std::size_t>(column - budget.names.begin())];
+    const bool drawn = std::ranges::any_of(curves, [&](const Curve& curve) { return curve.values == values; });
+    const bool flows = std::ranges::any_of(values, [](double value) { return value != 0.0; });
+    if (flows && (!drawn || std::string(name) == "storage")) curves.push_back({name, values});
+  }
+  return curves;
+}
+
 void scale_curves(std::vector<Curve>& curves, double factor) {
   for (auto& curve : curves) {
     for (double& value : curve.values) {

@@ -48,6 +48,7 @@ RunFolder read_run_folder(const std::filesystem::path& path) {
   }
   run.input = couple::read_case(path / "case.yaml");
   run.history = read_csv(path / "history.csv");
+  if (std::filesystem::is_regular_file(path / "budget.csv")) run.budget = read_csv(path / "budget.csv");
   read_summary(path / "summary.json", run);
   return run;
 }

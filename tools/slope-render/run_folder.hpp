@@ -23,6 +23,7 @@ struct RunFolder {
   couple::Case input;
   std::vector<Snapshot> snapshots;  ///< at least one
   CsvTable history;                 ///< columns "name [unit]", the first is the time (s)
+  CsvTable budget;                  ///< of the water, as the history; empty if the folder has none
   std::optional<double> onset;      ///< of failure (s)
   std::string case_file;            ///< that was run, as the summary tells; empty without one
   bool complete = false;            ///< the run came to the end that its case asks for

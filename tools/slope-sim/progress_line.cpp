@@ -26,6 +26,7 @@ std::string progress_text(const couple::Progress& progress, double end_time, dou
                                  end_time, 100.0 * progress.share, progress.clock_factor,
                                  millimetres < 100.0 ? fmt::format("{:.2g} mm", millimetres)
                                                      : fmt::format("{:.3g} m", progress.largest_displacement));
+  if (progress.infiltration > 0.0) text += fmt::format("  water in {:.3g} m3/m", progress.infiltration);
   if (progress.share > 0.01 && progress.share < 1.0) {
     text += fmt::format("  {} left", duration_text(stepping_seconds * (1.0 - progress.share) / progress.share));
   }

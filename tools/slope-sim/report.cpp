@@ -44,6 +44,13 @@ std::string report_text(const couple::Case& input, const couple::Summary& summar
   line("suction left", fmt::format("{:.1f} kPa at most", summary.zone_at_end.largest_suction / 1000.0));
   line("water", fmt::format("{:.4g} m3/m in, {:.4g} m3/m out, {:.4g} m3/m stored, error {:.1e}", water.infiltration,
                             water.outflow, water.storage, water.error));
+  if (water.rain > 0.0) {
+    line("rain", fmt::format("{:.4g} m3/m: {:.4g} m3/m infiltrated, {:.4g} m3/m ran off", water.rain,
+                             water.rain_infiltration, water.run_off));
+  }
+  if (water.seepage + water.evaporation > 0.0) {
+    line("to the air", fmt::format("{:.4g} m3/m seeped out, {:.4g} m3/m evaporated", water.seepage, water.evaporation));
+  }
   line("cost", fmt::format("{} particles, {} steps, {:.1f} s on {} thread{}", summary.particles, summary.steps,
                            record.wall_time, record.threads, record.threads == 1 ? "" : "s"));
   return text;

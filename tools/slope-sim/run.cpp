@@ -62,7 +62,8 @@ class Run {
     writer_.log(
         fmt::format("{:.1f} s: initial state of {} particles", progress_.elapsed(), simulation_.summary().particles));
     writer_.begin_history(simulation_.history_columns());
-    writer_.add_history(simulation_.history_row());
+    writer_.begin_budget(couple::Simulation::budget_columns());
+    add_rows();
     writer_.add_snapshot(simulation_.particles(), "start");
     write_summary();
   }
@@ -75,7 +76,7 @@ class Run {
     }
     const couple::Event event = simulation_.advance();
     const couple::Progress progress = simulation_.progress();
-    if (event.history) writer_.add_history(simulation_.history_row());
+    if (event.history) add_rows();
     if (event.label == "onset") note_onset();
     if (event.snapshot) {
       writer_.add_snapshot(simulation_.particles(), event.label);
@@ -83,6 +84,11 @@ class Run {
     }
     progress_.show(progress);
     return event.finished;
+  }
+
+  void add_rows() {
+    writer_.add_history(simulation_.history_row());
+    writer_.add_budget(simulation_.budget_row());
   }
 
   void note_onset() {

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array run_files{"case.yaml", "log.txt", "history.csv", "summary.json", "summary.json.tmp"};
+constexpr std::array run_files{"case.yaml", "log.txt", "history.csv", "budget.csv", "summary.json", "summary.json.tmp"};
 
 bool is_particle_file(const fs::path& file) {
   const std::string name = file.filename().string();
@@ -84,6 +84,14 @@ void RunWriter::begin_history(const std::vector<couple::HistoryColumn>& columns)
 
 void RunWriter::add_history(const std::vector<double>& row) {
   history_.value().add(row);
+}
+
+void RunWriter::begin_budget(const std::vector<couple::HistoryColumn>& columns) {
+  budget_.emplace(folder_ / "budget.csv", columns);
+}
+
+void RunWriter::add_budget(const std::vector<double>& row) {
+  budget_.value().add(row);
 }
 
 void RunWriter::add_snapshot(const couple::ParticleTable& particles, std::string_view label) {

@@ -14,8 +14,8 @@
 
 namespace slope::tools {
 
-/// The output folder of a run: case.yaml, log.txt, history.csv, summary.json, particles_*.vtp and particles.pvd.
-/// Every function throws couple::FileError if the disk does not take what it gives.
+/// The output folder of a run: case.yaml, log.txt, history.csv, budget.csv, summary.json, particles_*.vtp and
+/// particles.pvd. Every function throws couple::FileError if the disk does not take what it gives.
 class RunWriter {
  public:
   /// Makes the folder. One that holds an earlier run is used again, and the files of that run are removed; one that
@@ -26,6 +26,8 @@ class RunWriter {
   void write_case(couple::Case input);
   void begin_history(const std::vector<couple::HistoryColumn>& columns);
   void add_history(const std::vector<double>& row);
+  void begin_budget(const std::vector<couple::HistoryColumn>& columns);
+  void add_budget(const std::vector<double>& row);
   void add_snapshot(const couple::ParticleTable& particles, std::string_view label);
   void write_summary(const couple::Case& input, const couple::Summary& summary, const RunRecord& record);
   /// A line, or several, of log.txt.
@@ -37,7 +39,7 @@ class RunWriter {
   std::filesystem::path folder_;
   std::ofstream log_;
   std::optional<ParticleFileSeries> particles_;
-  std::optional<HistoryFile> history_;
+  std::optional<HistoryFile> history_, budget_;
 };
 
 }  // namespace slope::tools

@@ -80,6 +80,11 @@ Document water_of(const couple::WaterBudget& water) {
       .set("outflow_m3_per_m", number(water.outflow))
       .set("storage_m3_per_m", number(water.storage))
       .set("error", number(water.error))
+      .set("rain_m3_per_m", number(water.rain))
+      .set("rain_infiltration_m3_per_m", number(water.rain_infiltration))
+      .set("run_off_m3_per_m", number(water.run_off))
+      .set("seepage_m3_per_m", number(water.seepage))
+      .set("evaporation_m3_per_m", number(water.evaporation))
       .set("net_inflow_by_boundary_m3_per_m", std::move(boundaries));
   return budget;
 }

@@ -193,13 +193,46 @@ const Mistake places[] = {
     {"TwoBoundariesOfOneName", "water_boundaries:\n", "water_boundaries:\n  - {name: rain, at: left, pressure: 0 Pa}\n",
      "water_boundaries.rain.name", R"("rain" is the name of an earlier one; choose another)", 2},
     {"BoundaryWithoutCondition", "pressure: 0 kPa, applied_to: particle, ", "", "water_boundaries.rain",
-     R"(needs one of pressure, total_head and flux, got none; write for example "pressure: 0 kPa")"},
+     R"(needs one of pressure, total_head, flux and rain, got none; write for example "pressure: 0 kPa")"},
     {"BoundaryWithTwoConditions", "pressure: 0 kPa,", "pressure: 0 kPa, flux: 1 mm/h,", "water_boundaries.rain",
-     R"(needs one of pressure, total_head and flux, got 2; write for example "pressure: 0 kPa")"},
+     R"(needs one of pressure, total_head, flux and rain, got 2; write for example "pressure: 0 kPa")"},
+    {"RainInAFixedPlace", "pressure: 0 kPa, applied_to: particle", "rain: {intensity: 20 mm/h}",
+     "water_boundaries.rain.at", R"(rain falls on the free surface; write "at: free_surface")"},
+    {"PressureOnTheFreeSurface", "at: ground_surface", "at: free_surface", "water_boundaries.rain.at",
+     R"(the free surface takes rain only; write "at: ground_surface")"},
+    {"RainWithoutIntensity", "at: ground_surface, pressure: 0 kPa, applied_to: particle",
+     "at: free_surface, rain: {ponding_depth: 1 cm}", "water_boundaries.rain.rain",
+     R"(needs one of intensity, hyetograph, file, got none; write for example "intensity: 20 mm/h")"},
+    {"RainWithTwoIntensities", "at: ground_surface, pressure: 0 kPa, applied_to: particle",
+     "at: free_surface, rain: {intensity: 1 mm/h, hyetograph: [[0 h, 1 mm/h]]}", "water_boundaries.rain.rain",
+     R"(needs one of intensity, hyetograph, file, got 2; write for example "intensity: 20 mm/h")"},
+    {"HyetographThatGoesBack", "at: ground_surface, pressure: 0 kPa, applied_to: particle",
+     "at: free_surface, rain: {hyetograph: [[0 h, 1 mm/h], [2 h, 2 mm/h], [1 h, 0 mm/h]]}",
+     "water_boundaries.rain.rain.hyetograph.2", "times must grow from step to step"},
+    {"HyetographWithoutPairs", "at: ground_surface, pressure: 0 kPa, applied_to: particle",
+     "at: free_surface, rain: {hyetograph: [[0 h, 1 mm/h, 2 h]]}", "water_boundaries.rain.rain.hyetograph.0",
+     "expected [time, intensity], such as [2 h, 40 mm/h]"},
+    {"HyetographWithoutUnits", "at: ground_surface, pressure: 0 kPa, applied_to: particle",
+     "at: free_surface, rain: {hyetograph: [[0 h, 1 mm]]}", "water_boundaries.rain.rain.hyetograph.0.1",
+     R"(expected a velocity with its unit, such as "1e-5 m/s" (units: m/s, cm/s, mm/s, m/h, cm/h, mm/h, m/d, cm/d, mm/d), got "1 mm", which is a length)"},
+    {"NegativePondingDepth", "at: ground_surface, pressure: 0 kPa, applied_to: particle",
+     "at: free_surface, rain: {intensity: 1 mm/h, ponding_depth: -1 cm}", "water_boundaries.rain.rain.ponding_depth",
+     "must be at least 0 m, got -1 cm"},
+    {"NoEvaporationLimit", "at: ground_surface, pressure: 0 kPa, applied_to: particle",
+     "at: free_surface, rain: {intensity: -1 mm/d, evaporation_limit: 0 kPa}",
+     "water_boundaries.rain.rain.evaporation_limit", "must be above 0 Pa, got 0 kPa"},
+    {"RainInAParticle", "at: ground_surface, pressure: 0 kPa, applied_to: particle",
+     "at: free_surface, rain: {intensity: 1 mm/h}, applied_to: particle", "water_boundaries.rain.applied_to",
+     "rain always enters through the face; remove this key"},
+    {"TwoRainsInOnePlace",
+     "water_boundaries:\n  - {name: rain, at: ground_surface, pressure: 0 kPa, applied_to: particle",
+     "water_boundaries:\n  - {name: hail, at: free_surface, to: 5 m, rain: {intensity: 1 mm/h}}\n"
+     "  - {name: rain, at: free_surface, rain: {intensity: 1 mm/h}",
+     "water_boundaries.rain", R"(overlaps with "hail", and rain can fall only once; part them by "from" and "to")", 2},
     {"FluxInAParticle", "pressure: 0 kPa, applied_to: particle", "flux: 1 mm/h, applied_to: particle",
      "water_boundaries.rain.applied_to", "a flux always enters through the face; remove this key"},
     {"SteadyWithoutBoundary", "type: hydrostatic", "type: steady", "initial.water",
-     R"(steady seepage needs a water boundary with a pressure or total_head and "initial: true")"},
+     R"(steady seepage needs a water boundary with a pressure, total_head or rain and "initial: true")"},
     {"InitialWithoutSteady", "ramp: 5 s}", "ramp: 5 s, initial: true}", "water_boundaries.rain.initial",
      "has a meaning only with initial.water of type steady; remove it"},
     {"LoadBesideTheSoil", "coupling:\n",
@@ -311,6 +344,35 @@ TEST(CaseProblems, AFileThatCannotBeReadIsAFileError) {
     (void)read_case(folder.path() / "none.yaml");
   } catch (const FileError& error) {
     EXPECT_EQ(error.what(), (folder.path() / "none.yaml").string() + ": cannot be read: No such file or directory");
+  }
+}
+
+/// A mistake in a file of rain, and what is said about it after the file's name.
+TEST(Hyetograph, FileGetsOneMessageWithItsLine) {
+  const std::string header =
+      "expected a header such as \"time_h,intensity_mm_per_h\" (time in s, min, h or d; intensity in mm or m per s, h "
+      "or d)";
+  const std::vector<std::pair<std::string, std::string>> mistakes{
+      {"", ": holds no row; " + header},
+      {"0,1\n", ":1: " + header},
+      {"# rain\ntime_h,intensity_mm\n0,1\n", ":2: " + header},
+      {"time_h,intensity_mm_per_h\n0,1\n2\n", ":3: expected two numbers, a time and the intensity from then on"},
+      {"time_h,intensity_mm_per_h\n0,a lot\n", ":2: expected two numbers, a time and the intensity from then on"},
+      {"time_h,intensity_mm_per_h\n0,1\n2,3\n2,4\n", ":4: times must grow from row to row"}};
+  const CaseFolder folder;
+  const auto file = folder.write("slope.yaml", slope_with("at: ground_surface, pressure: 0 kPa, applied_to: particle",
+                                                          "at: free_surface, rain: {file: storm.csv}")
+                                                   .content);
+  const std::string path = (folder.path() / "storm.csv").string();
+  auto problems = problems_of(file);
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_EQ(problems[0].key, "water_boundaries.rain.rain.file");
+  EXPECT_EQ(problems[0].message, "the file " + path + " cannot be read; the path counts from the case's folder");
+  for (const auto& [content, message] : mistakes) {
+    folder.write("storm.csv", content);
+    problems = problems_of(file);
+    ASSERT_EQ(problems.size(), 1u) << content;
+    EXPECT_EQ(problems[0].message, path + message);
   }
 }
 

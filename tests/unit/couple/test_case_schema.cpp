@@ -57,6 +57,7 @@ TEST_F(CaseSchema, RefusesWhatTheReaderRefuses) {
       {"model: hillel", "model: corey"},
       {"pressure: 0 kPa,", ""},
       {"pressure: 0 kPa,", "pressure: 0 kPa, flux: 1 mm/h,"},
+      {"pressure: 0 kPa,", "rain: {intensity: 1 mm/h, file: storm.csv},"},
       {"name: rain", "name: 1 rain"},
       {"particles_per_cell: 4", "particles_per_cell: 5"},
       {"lower: [0 m, 0 m]", "lower: [0 m]"},

@@ -131,7 +131,9 @@ std::string full_case() {
           "  - {name: fill, at: ground_surface, from: 30 m, traction: [0 kPa, -10 kPa], start: 1 h, ramp: 10 s}\n"
           "water_boundaries:\n"
           "  - {name: river, at: left, to: 2 m, total_head: 2.5 m, applied_to: face, initial: true}\n"
-          "  - {name: drizzle, at: right, from: 11 m, flux: 36 mm/h, start: 3 min}\n");
+          "  - {name: drizzle, at: right, from: 11 m, flux: 36 mm/h, start: 3 min}\n"
+          "  - {name: storm, at: free_surface, to: 9 m, rain: {hyetograph: [[1 h, 36 mm/h], [2 h, -3.6 mm/h]], "
+          "ponding_depth: 5 mm, evaporation_limit: 50 kPa, before_start: 3.6 mm/h}}\n");
   replace("left: roller, right: roller, base: fixed",
           "left: friction, right: roller, base: absorbing, left_friction: 0.3, absorbing_depth: 20 m");
   replace("stress: self_weight", "stress: k0\n  k0_coefficient: 0.6");
@@ -157,7 +159,7 @@ TEST(CaseValues, EveryKeyReachesTheCase) {
   EXPECT_EQ(input.gravity, 3.71);
   EXPECT_EQ(input.water.gravity, 3.71);
   EXPECT_EQ(std::get<SteadyWater>(input.initial_water).water_table, 3.0);
-  ASSERT_EQ(input.water_boundaries.size(), 3u);
+  ASSERT_EQ(input.water_boundaries.size(), 4u);
   const WaterBoundary& river = input.water_boundaries[0];
   EXPECT_EQ(river.where.place, Place::left);
   EXPECT_EQ(river.where.from, -never);
@@ -167,6 +169,15 @@ TEST(CaseValues, EveryKeyReachesTheCase) {
   EXPECT_TRUE(std::get<PrescribedPressure>(river.condition).at_face);
   EXPECT_EQ(std::get<PrescribedFlux>(input.water_boundaries[1].condition).flux, 1.0e-5);
   EXPECT_EQ(input.water_boundaries[1].start, 180.0);
+  EXPECT_EQ(input.water_boundaries[2].where.place, Place::free_surface);
+  const auto& storm = std::get<Rain>(input.water_boundaries[2].condition);
+  ASSERT_EQ(storm.hyetograph.size(), 2u);
+  EXPECT_EQ(storm.hyetograph[0].time, 3600.0);
+  EXPECT_EQ(storm.hyetograph[0].intensity, 1.0e-5);
+  EXPECT_EQ(storm.hyetograph[1].intensity, -1.0e-6);
+  EXPECT_EQ(storm.ponding_depth, 0.005);
+  EXPECT_EQ(storm.evaporation_limit, 5.0e4);
+  EXPECT_EQ(storm.before_start, 1.0e-6);
   ASSERT_EQ(input.tractions.size(), 1u);
   EXPECT_EQ(input.tractions[0].traction, (Point{0.0, -1.0e4}));
   EXPECT_EQ(input.tractions[0].start, 3600.0);
@@ -212,11 +223,34 @@ TEST(CaseValues, EveryKeyIsWrittenBack) {
   const CaseFolder folder;
   const std::string resolved = resolved_yaml(read_case(folder.write("slope.yaml", full_case())));
   EXPECT_EQ(resolved_yaml(read_case(folder.write("resolved.yaml", resolved))), resolved);
-  for (const char* line : {"gravity: 3.71 m/s2", "type: steady", "total_head: 2.5 m", "flux: 1e-05 m/s",
-                           "flip_fraction: 0.95", "applied_to: face", "initial: true", "model: mohr_coulomb",
-                           "to_plastic_strain: 0.1", "youngs_modulus: 10 MPa", "friction_angle: 25 deg"}) {
+  for (const char* line :
+       {"gravity: 3.71 m/s2", "type: steady", "total_head: 2.5 m", "flux: 1e-05 m/s", "flip_fraction: 0.95",
+        "applied_to: face", "initial: true", "evaporation_limit: 50 kPa", "at: free_surface", "model: mohr_coulomb",
+        "to_plastic_strain: 0.1", "youngs_modulus: 10 MPa", "friction_angle: 25 deg"}) {
     EXPECT_NE(resolved.find(line), std::string::npos) << line << "\n" << resolved;
   }
+}
+
+TEST(CaseValues, RainComesFromAFileBesideTheCaseOrItsBase) {
+  const CaseFolder folder;
+  folder.write("storm.csv", "# a storm\ntime_h,intensity_mm_per_h\n0, 36\r\n0.5,0\n");
+  const auto base = folder.write("base.yaml", slope_with("at: ground_surface, pressure: 0 kPa, applied_to: particle",
+                                                         "at: free_surface, rain: {file: storm.csv}")
+                                                  .content);
+  const Case input = read_case(base);
+  const auto& storm = std::get<Rain>(input.water_boundaries[0].condition);
+  ASSERT_EQ(storm.hyetograph.size(), 2u);
+  EXPECT_EQ(storm.hyetograph[0].intensity, 1.0e-5);
+  EXPECT_EQ(storm.hyetograph[1].time, 1800.0);
+  EXPECT_EQ(storm.hyetograph[1].intensity, 0.0);
+  const std::string resolved = resolved_yaml(input);
+  EXPECT_EQ(resolved_yaml(read_case(folder.write("resolved.yaml", resolved))), resolved) << "stands without the file";
+
+  const auto over = folder.write("over.yaml",
+                                 "include: base.yaml\n"
+                                 "water_boundaries: [{name: rain, rain: {intensity: 3.6 mm/h}}]\n");
+  const Case steady = read_case(over);
+  EXPECT_EQ(std::get<Rain>(steady.water_boundaries[0].condition).hyetograph.at(0).intensity, 1.0e-6);
 }
 
 }  // namespace

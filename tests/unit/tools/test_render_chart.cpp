@@ -7,6 +7,7 @@
 #include "picture_file.hpp"
 #include "plot_frame.hpp"
 #include "profile_chart.hpp"
+#include "run_curves.hpp"
 #include "scratch_folder.hpp"
 #include "slope/couple/read_case.hpp"
 #include "synthetic_slope.hpp"
@@ -47,6 +48,19 @@ TEST(HistoryChart, DrawsCurvesAndOnset) {
   }
   EXPECT_GT(blue, 500) << "pixels of the curve";
   EXPECT_NE(bytes_of(folder.path() / "stood.png"), bytes_of(folder.path() / "failed.png"));
+}
+
+TEST(BudgetCurves, AreThoseThatOccur) {
+  CsvTable budget;
+  budget.names = {"time [s]",       "rain [m3/m]",        "infiltration [m3/m]", "run-off [m3/m]",
+                  "seepage [m3/m]", "evaporation [m3/m]", "outflow [m3/m]",      "storage [m3/m]"};
+  budget.columns = {{0, 60}, {0, 3}, {0, 2}, {0, 1}, {0, 0.5}, {0, 0}, {0, 0.5}, {0, 1.5}};
+  std::vector<std::string> names;
+  for (const Curve& curve : budget_curves(budget)) names.push_back(curve.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"rain", "infiltration", "run-off", "seepage", "storage"}))
+      << "the outflow is the seepage";
+  EXPECT_EQ(budget_curves(budget)[1].values, (std::vector<double>{0.0, 2.0}));
+  EXPECT_TRUE(budget_curves({}).empty());
 }
 
 TEST(ProfileChart, ProfileIsTheMeanOfEachLayer) {

@@ -81,8 +81,9 @@ using InitialWater = std::variant<HydrostaticWater, WaterTable, UniformWater, St
 /// horizontal ones in a given ratio to it.
 enum class InitialStress { self_weight, k0, none };
 
-/// The particles that a condition acts on, chosen at the start and followed as they move.
-enum class Place { ground_surface, base, left, right };
+/// The particles that a condition acts on, chosen at the start and followed as they move; those of the free surface are
+/// found anew as the soil moves.
+enum class Place { ground_surface, base, left, right, free_surface };
 
 struct PlaceRange {
   Place place = Place::ground_surface;
@@ -101,10 +102,24 @@ struct PrescribedFlux {
   double flux = 0.0;
 };
 
+/// Rain from a time on (s), per horizontal metre (m/s); negative: what the air could evaporate.
+struct RainStep {
+  double time = 0.0;
+  double intensity = 0.0;
+};
+
+/// Rain on the free surface. What the soil cannot take runs off; where water comes out, it leaves; none is sucked in.
+struct Rain {
+  std::vector<RainStep> hyetograph;    ///< times ascending; no rain before the first
+  double ponding_depth = 0.0;          ///< of the water that stays on the ground when rain runs off (m), >= 0
+  double evaporation_limit = 1.0e5;    ///< suction to which the air dries the surface (Pa), > 0
+  std::optional<double> before_start;  ///< intensity in the steady state before the start (m/s); none: the first one
+};
+
 struct WaterBoundary {
   std::string name;
   PlaceRange where;
-  std::variant<PrescribedPressure, PrescribedFlux> condition;
+  std::variant<PrescribedPressure, PrescribedFlux, Rain> condition;
   double start = 0.0;    ///< time from which it holds (s)
   double ramp = 0.0;     ///< time over which it goes linearly from what is there to the prescribed value (s)
   bool initial = false;  ///< holds in the steady state before the start too
@@ -128,7 +143,7 @@ struct Traction {
   double ramp = 0.0;
 };
 
-enum class Scheme { semi_implicit, explicit_two_pass };
+enum class Scheme { semi_implicit, explicit_two_pass, seepage };
 enum class Skeleton { deformable, rigid };
 enum class MixtureDensity { by_saturation, saturated };
 enum class ShapeFunction { quadratic_bspline, linear };

@@ -25,7 +25,7 @@ struct InitialParticles {
 ///   to the neighbour that it touches. Where soils meet, a square belongs to the one with the largest share of it.
 [[nodiscard]] InitialParticles fill_regions(const Domain& domain, const std::vector<Region>& regions);
 
-/// Particles of a place: the uppermost of each lattice column (ground_surface), the lowest (base),
+/// Particles of a place: the uppermost of each lattice column (ground_surface, free_surface), the lowest (base),
 /// the outermost of each lattice row (left, right); limited to the range.
 [[nodiscard]] std::vector<std::size_t> particles_at(const PlaceRange& where, const InitialParticles& particles);
 

@@ -50,9 +50,10 @@ struct Progress {
   double clock_factor = 1.0;          ///< physical time over the solid's own time (-)
   double largest_displacement = 0.0;  ///< (m)
   std::size_t steps = 0;
+  double infiltration = 0.0;  ///< water that came in since the start (m3/m)
 };
 
-/// One column of the history table.
+/// One column of the history or budget table.
 struct HistoryColumn {
   std::string name;  ///< e.g. "A1 displacement"
   std::string unit;  ///< e.g. "m"; "-" if it has none
@@ -73,11 +74,17 @@ struct FailureZone {
 
 /// Water that has crossed the boundary and been stored since the start, per metre of thickness (m3/m).
 struct WaterBudget {
-  double infiltration = 0.0;                  ///< in through prescribed boundaries
-  double outflow = 0.0;                       ///< out through prescribed boundaries
+  double infiltration = 0.0;                  ///< in through all boundaries
+  double outflow = 0.0;                       ///< out through all boundaries
   double storage = 0.0;                       ///< change of what the pores hold
   double error = 0.0;                         ///< (infiltration - outflow - storage) / max(infiltration, outflow) (-)
   std::map<std::string, double> by_boundary;  ///< net inflow of each named boundary (m3/m)
+  // of the free surface, where the case has rain; rain = rain_infiltration + run_off
+  double rain = 0.0;               ///< what fell
+  double rain_infiltration = 0.0;  ///< of it into the soil
+  double run_off = 0.0;            ///< of it along the ground and away
+  double seepage = 0.0;            ///< out of the soil, as water
+  double evaporation = 0.0;        ///< out of the soil, into the air
 };
 
 /// When the largest displacement passed a value.
@@ -136,6 +143,9 @@ class Simulation {
   [[nodiscard]] ParticleTable particles() const;
   [[nodiscard]] std::vector<HistoryColumn> history_columns() const;  ///< the first is the time (s)
   [[nodiscard]] std::vector<double> history_row() const;
+  /// The water's books, due with the history (m3/m): cumulative, from the start.
+  [[nodiscard]] static std::vector<HistoryColumn> budget_columns();  ///< the first is the time (s)
+  [[nodiscard]] std::vector<double> budget_row() const;
   [[nodiscard]] Summary summary() const;
 
  private:

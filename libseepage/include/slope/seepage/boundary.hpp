@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "slope/seepage/open_face.hpp"
+
 namespace slope::seepage {
 
 /// The pressure of a particle is prescribed.
@@ -30,11 +32,13 @@ struct Inflow {
   double rate = 0.0;
 };
 
-/// What acts on the pore water during one step. A particle appears at most once in `held`.
+/// What acts on the pore water during one step. A particle appears at most once in `held`, and then not in
+/// `open_faces`.
 struct Boundary {
   std::vector<HeldPressure> held;
   std::vector<FacePressure> faces;
   std::vector<Inflow> inflows;
+  std::vector<OpenFace> open_faces;
   std::size_t count = 0;  ///< number of boundaries that water is counted for
 };
 

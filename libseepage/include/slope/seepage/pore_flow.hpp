@@ -110,15 +110,22 @@ class PoreFlow {
   [[nodiscard]] std::span<const double> cumulative_inflow() const { return inflow_; }
   /// Net flow that each boundary brought in the latest step (m2/s).
   [[nodiscard]] std::span<const double> inflow_rate() const { return inflow_rate_; }
+  /// What the open faces exchanged with the air in the latest step, in sum.
+  [[nodiscard]] const AirFlow& air_flow() const { return air_flow_; }
   /// Water that the last solution left unexplained, summed over the particles (m2).
   [[nodiscard]] double unexplained_water() const;
 
  private:
+  // At most so many times a step is solved until its open faces stay with their parts of the law.
+  static constexpr int most_switches = 8;
+
   void evaluate_soil();
   void find_head(const Skeleton& skeleton);
   [[nodiscard]] double water_of(std::size_t p, const Skeleton& skeleton) const;
   [[nodiscard]] double face_conductance(const FacePressure& face) const;
   [[nodiscard]] double face_inflow(const FacePressure& face, double head) const;
+  void find_open_face_laws(const Boundary& boundary);
+  bool switch_open_faces(const Boundary& boundary, double time_step, double flow_scale);
   void take_in_boundary_flow(const Boundary& boundary);
   void book(double time_step, const Skeleton& skeleton, const Boundary& boundary);
   void assemble(double flow_scale);
@@ -140,6 +147,9 @@ class PoreFlow {
   std::vector<double> defect_;        // water that the last booking left unexplained (m2)
   std::vector<double> change_, stress_change_;
   std::vector<double> inflow_, inflow_rate_;
+  AirFlow air_flow_;
+  std::vector<OpenFaceLaw> open_laws_;         // of the present step's open faces
+  std::vector<OpenFaceLaw::Part> open_parts_;  // the parts for which the step is solved
 
   std::vector<double> storage_, right_side_, diagonal_, outflow_, work_, work2_;
   std::vector<std::uint8_t> is_held_;

@@ -31,6 +31,14 @@ SolveReport PoreFlow::solve(double time_step, const Skeleton& skeleton, std::spa
     right_side_[face.particle] += time_step * face_inflow(face, head_[face.particle]);
   }
   for (const Inflow& inflow : boundary.inflows) right_side_[inflow.particle] += time_step * inflow.rate;
+  find_open_face_laws(boundary);
+  for (std::size_t k = 0; k < open_laws_.size(); ++k) {
+    const std::size_t p = boundary.open_faces[k].particle;
+    const double conductance = open_laws_[k].conductance(open_parts_[k]);
+    storage_[p] += flow_scale * conductance;
+    diagonal_[p] += flow_scale * conductance;
+    right_side_[p] += time_step * open_laws_[k].inflow(open_parts_[k], head_[p]);
+  }
 
   // q -> [storage + flow + response] q; the rows of held pressures are taken out
   const auto full = [&](std::span<const double> in, std::span<double> out) {
@@ -59,11 +67,13 @@ SolveReport PoreFlow::solve(double time_step, const Skeleton& skeleton, std::spa
     for (const HeldPressure& held : boundary.held) out[held.particle] = diagonal_[held.particle] * in[held.particle];
   };
   std::fill(change_.begin(), change_.end(), 0.0);
-  const auto result = solver_.solve(reduced, diagonal_, right_side_, change_, tolerance, 500, settings_.threads);
-
   SolveReport report;
-  report.iterations = result.iterations;
-  report.converged = result.converged;
+  for (int pass = 0; pass < most_switches; ++pass) {
+    const auto result = solver_.solve(reduced, diagonal_, right_side_, change_, tolerance, 500, settings_.threads);
+    report.iterations += result.iterations;
+    report.converged = result.converged;
+    if (!switch_open_faces(boundary, time_step, flow_scale)) break;
+  }
   for (const HeldPressure& held : boundary.held) change_[held.particle] = held.pressure - pressure_[held.particle];
   for (std::size_t p = 0; p < n; ++p) {
     stress_change_[p] = saturation_[p] * change_[p];

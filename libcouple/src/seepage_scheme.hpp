@@ -1,0 +1,31 @@
+#pragma once
+
+#include <vector>
+
+#include "actions.hpp"
+#include "mixture.hpp"
+
+namespace slope::couple {
+
+/// The water alone: the soil stays where it is, and the water flows in implicit steps as long as accuracy and Newton's
+/// method allow.
+class SeepageScheme {
+ public:
+  /// Not of the soil: where the search for a step begins (s).
+  [[nodiscard]] static double stable_step(const Mixture&, double /*courant_number*/) { return first_step; }
+
+  /// The length of the next step, one of equal ones from `time` to `next` (s).
+  [[nodiscard]] double pace(double time, double next) const;
+
+  /// One step of clock_factor x time_step. If it does not converge nothing has changed, and pace() gives a shorter one.
+  /// @throws SimulationError if there is none left to try
+  seepage::SolveReport step(Mixture& mixture, const Actions& actions, double time_step, double clock_factor);
+
+ private:
+  static constexpr double first_step = 1.0;
+
+  double step_ = first_step;
+  std::vector<double> saturation_;  // at the start of the step
+};
+
+}  // namespace slope::couple
