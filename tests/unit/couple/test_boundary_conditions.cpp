@@ -18,7 +18,7 @@ struct Acting {
         mixture(input, particles, initial_pressure(input, particles), 1),
         conditions(input, particles) {}
 
-  [[nodiscard]] Actions at(double time) const {
+  [[nodiscard]] Actions at(double time) {
     Actions actions;
     conditions.apply(time, mixture, actions);
     return actions;
@@ -31,7 +31,7 @@ struct Acting {
 };
 
 TEST(BoundaryConditions, ASurchargeIsPerHorizontalMetreWhateverTheInclination) {
-  const Acting acting({"loads=[{name: fill, at: ground_surface, traction: [0 kPa, -10 kPa], start: 2 s, ramp: 4 s}]"});
+  Acting acting({"loads=[{name: fill, at: ground_surface, traction: [0 kPa, -10 kPa], start: 2 s, ramp: 4 s}]"});
   EXPECT_TRUE(acting.at(1.0).tractions.empty());
   for (const auto& [time, share] : {std::pair{4.0, 0.5}, std::pair{6.0, 1.0}, std::pair{60.0, 1.0}}) {
     double force = 0.0;
@@ -44,7 +44,7 @@ TEST(BoundaryConditions, ASurchargeIsPerHorizontalMetreWhateverTheInclination) {
 }
 
 TEST(BoundaryConditions, AnEarthquakeGrowsOverItsRamp) {
-  const Acting acting({"seismic={horizontal_coefficient: 0.2, vertical_coefficient: -0.1, start: 10 s, ramp: 4 s}"});
+  Acting acting({"seismic={horizontal_coefficient: 0.2, vertical_coefficient: -0.1, start: 10 s, ramp: 4 s}"});
   EXPECT_EQ(acting.at(9.0).body_acceleration, (std::array{0.0, 0.0}));
   EXPECT_NEAR(acting.at(11.0).body_acceleration[0], 0.25 * 0.2 * 9.81, 1e-12);
   EXPECT_NEAR(acting.at(14.0).body_acceleration[0], 0.2 * 9.81, 1e-12);
