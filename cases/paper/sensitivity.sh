@@ -12,6 +12,8 @@ slope_sim=build/release/bin/slope-sim
 choices=(
   "as shipped"
   "cells of 0.25 m (to 12 cm)|domain.cell_size=0.25 m|stop.displacement=12 cm"
+  "cells of 1 m|domain.cell_size=1 m"
+  "9 particles per cell|domain.particles_per_cell=9"
   "surface without steps|domain.surface_particles=clipped"
   "rigid skeleton|coupling.skeleton=rigid"
   "rain on the face only|water_boundaries.rain.from=10 m|water_boundaries.rain.to=22.6 m"
@@ -20,8 +22,6 @@ choices=(
   "ramp of 50 s|water_boundaries.rain.ramp=50 s"
   "dilatancy 5 deg|soils.sandy_clay.strength.dilatancy_angle=5 deg"
   "density by saturation|coupling.mixture_density=by_saturation"
-  "cells of 1 m|domain.cell_size=1 m"
-  "9 particles per cell|domain.particles_per_cell=9"
 )
 cases=(slope-w1 slope-w2 slope-w3 slope-h1 slope-h3)
 

@@ -67,7 +67,7 @@ TEST(ParticleFile, GivesBackEveryValue) {
   const auto data = read_particles(file);
   ASSERT_EQ(data->GetNumberOfPoints(), 3);
   EXPECT_EQ(data->GetNumberOfVerts(), 3);
-  EXPECT_EQ(data->GetPointData()->GetNumberOfArrays(), 13);
+  EXPECT_EQ(data->GetPointData()->GetNumberOfArrays(), 14);
   for (int p = 0; p < 3; ++p) {
     const auto i = static_cast<std::size_t>(p);
     EXPECT_EQ(data->GetPoint(p)[0], table.position[i][0]);
