@@ -27,8 +27,10 @@ ClockControl::Pace ClockControl::pace(double time, double next, double time_step
     factor = std::min(factor, std::max(1.0, limits_.change_fraction * since / scale_.period()));
   }
   const double steps = std::ceil((next - time) / (factor * time_step) * (1.0 - 1.0e-12));
+  const double water_step = (next - time) / std::max(steps, 1.0);
   Pace pace;
-  pace.factor = (next - time) / (std::max(steps, 1.0) * time_step);
+  pace.time_step = std::min(time_step, water_step);
+  pace.factor = water_step / pace.time_step;
   pace.velocity_scale = std::min(1.0, factor / last_factor_);
   last_factor_ = factor;
   return pace;

@@ -24,12 +24,16 @@ class ClockControl {
  public:
   ClockControl(const Clock& limits, const SlopeScale& scale, std::vector<double> change_times);
 
-  /// What the factor is and by how much the soil's velocities must be scaled before the step.
+  /// What the soil's time step and the factor are, and by how much the soil's velocities must be scaled before the
+  /// step.
   struct Pace {
-    double factor = 1.0;
+    double time_step = 0.0;  ///< (s)
+    double factor = 1.0;     ///< >= 1
     double velocity_scale = 1.0;
   };
-  /// For a step that starts at `time` and must not pass `next` (s): the steps up to `next` are equal. Velocities belong
+  /// For a step that starts at `time` and must not pass `next` (s): the steps up to `next` are equal, and none of the
+  /// soil's is longer than `time_step` (s). At real time the soil's step is shortened to fit, not the factor: soil that
+  /// lagged behind its water would be too heavy. Velocities belong
   /// to the soil's own time; where the factor falls they fall with it, so that what creeps does not gain speed in
   /// physical time.
   Pace pace(double time, double next, double time_step);

@@ -115,7 +115,8 @@ struct Simulation::State {
   AnyScheme scheme;
   ClockControl clock;
   GroundSurface surface;
-  double time_step;
+  double time_step;          // of the soil, at most (s)
+  double latest_step = 0.0;  // of the water's time (s)
   Actions actions;
   std::vector<std::size_t> followed;  // particle of each verification point
 
@@ -159,14 +160,16 @@ seepage::SolveReport Simulation::State::step_mixture(double next) {
   const ClockControl::Pace pace = clock.pace(time, next, time_step);
   clock_factor = pace.factor;
   if (pace.velocity_scale < 1.0) mixture.slow_down(pace.velocity_scale);
-  const double water_step = clock_factor * time_step;
+  const double water_step = pace.factor * pace.time_step;
   // the last step up to what is due ends there to the last digit
   const double after = time + (1.0 + sliver) * water_step > next ? next : time + water_step;
   conditions.apply(after, mixture, actions);
-  const auto report = std::visit([&](auto& s) { return s.step(mixture, actions, time_step, clock_factor); }, scheme);
+  const auto report =
+      std::visit([&](auto& s) { return s.step(mixture, actions, pace.time_step, pace.factor); }, scheme);
   time = after;
+  latest_step = water_step;
   const solid::Particles& soil = mixture.soil.particles();
-  clock.observe(time_step, soil.ux, soil.uy, mixture.water.pressure());
+  clock.observe(pace.time_step, soil.ux, soil.uy, mixture.water.pressure());
   return report;
 }
 
@@ -178,12 +181,13 @@ seepage::SolveReport Simulation::State::step_water(SeepageScheme& seepage, doubl
     const auto report = seepage.step(mixture, actions, time_step, clock_factor);
     if (!report.converged) continue;
     time = after;
+    latest_step = time_step;
     return report;
   }
 }
 
 void Simulation::State::observe_water() {
-  const double water_step = clock_factor * time_step;
+  const double water_step = latest_step;
   const std::span<const double> rate = mixture.water.inflow_rate();
   WaterBudget& water = result.water;
   for (std::size_t b = 0; b < rate.size(); ++b) {
