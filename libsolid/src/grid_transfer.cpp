@@ -49,27 +49,78 @@ void MaterialPointMethod::find_weights() {
 template void MaterialPointMethod::find_weights<QuadraticBSpline>();
 template void MaterialPointMethod::find_weights<Linear>();
 
-template <class Shape>
+// The integral of a traction t over a face is taken through the body behind it, on the particles that carry the stress:
+// with w falling smoothly from one at the face to zero at some depth, N t at the face is the integral of d(N w)/dn t
+// over the strip of soil behind. What a particle's quadrature does to the stress it so does to the load as well, and
+// soil under uniform load stays uniform wherever its surface lies in the grid.
 void MaterialPointMethod::add_tractions(std::span<const ParticleTraction> tractions) {
-  const double inverse = 1.0 / grid_.cell_size;
-  // a face on the box's upper or right side is just inside
-  const auto inside = [](double position, int cells) { return std::clamp(position, 0.0, cells * (1.0 - 1.0e-12)); };
+  constexpr double depth_in_cells = 3.0;
+  const double spacing = settings_.particle_spacing;
+  const std::size_t columns = std::size_t(grid_.node_columns());
   for (const ParticleTraction& traction : tractions) {
-    const double fx = (particles_.x[traction.particle] + traction.face_x - grid_.lower[0]) * inverse;
-    const double fy = (particles_.y[traction.particle] + traction.face_y - grid_.lower[1]) * inverse;
-    const AxisWeights x = Shape::weights(inside(fx, grid_.columns), inverse);
-    const AxisWeights y = Shape::weights(inside(fy, grid_.rows), inverse);
-    const Eigen::Array2d force = settings_.particle_spacing * Eigen::Array2d(traction.x, traction.y);
-    for (int b = 0; b < 3; ++b) {
-      for (int a = 0; a < 3; ++a) {
-        node_[grid_.node(x.first + a, y.first + b)].force += x.value[a] * y.value[b] * force;
+    const double distance = std::hypot(traction.face_x, traction.face_y);
+    const double nx = distance > 0.0 ? traction.face_x / distance : 0.0;
+    const double ny = distance > 0.0 ? traction.face_y / distance : 0.0;
+    find_strip(traction, nx, ny, depth_in_cells * grid_.cell_size);
+    double depth = 0.0;
+    for (const Behind& q : strip_) depth += particles_.volume[q.particle] / spacing;
+    const auto fade = [depth](double behind) {
+      const double t = std::clamp(behind / depth, 0.0, 1.0);
+      return 1.0 - t * t * (3.0 - 2.0 * t);
+    };
+    // what w falls by over a particle's height is its share of the load
+    double sum = 0.0;
+    for (Behind& q : strip_) {
+      const double half = 0.5 * particles_.volume[q.particle] / spacing;
+      q.share = strip_.size() == 1 ? 1.0 : fade(q.distance - half) - fade(q.distance + half);
+      sum += q.share;
+    }
+    const Eigen::Array2d force = spacing * Eigen::Array2d(traction.x, traction.y);
+    for (const Behind& q : strip_) {
+      const ParticleWeights& w = weights_[q.particle];
+      const double height = particles_.volume[q.particle] / spacing * fade(q.distance);
+      for (std::size_t b = 0; b < 3; ++b) {
+        for (std::size_t a = 0; a < 3; ++a) {
+          const double slope = nx * w.gx[a] * w.ny[b] + ny * w.nx[a] * w.gy[b];
+          node_[w.node + b * columns + a].force += (height * slope + q.share / sum * w.nx[a] * w.ny[b]) * force;
+        }
       }
     }
   }
 }
 
-template void MaterialPointMethod::add_tractions<QuadraticBSpline>(std::span<const ParticleTraction>);
-template void MaterialPointMethod::add_tractions<Linear>(std::span<const ParticleTraction>);
+// The particles behind the face of a traction, no deeper than a limit. A traction that acts at its particle has no
+// face, and nothing behind it.
+void MaterialPointMethod::find_strip(const ParticleTraction& traction, double nx, double ny, double limit) {
+  strip_.clear();
+  const double spacing = settings_.particle_spacing;
+  const double x = particles_.x[traction.particle] + traction.face_x;
+  const double y = particles_.y[traction.particle] + traction.face_y;
+  strip_.push_back({traction.particle, std::hypot(traction.face_x, traction.face_y), 0.0});
+  if (nx == 0.0 && ny == 0.0) return;
+  const double half = 0.5 * spacing * (1.0 - 1.0e-6);
+  const auto cell_at = [&](double position, double lower, int cells) {
+    return std::clamp(static_cast<int>((position - lower) / grid_.cell_size), 0, cells - 1);
+  };
+  const double far_x = x - limit * nx, far_y = y - limit * ny;
+  const double wide_x = std::abs(ny) * half, wide_y = std::abs(nx) * half;
+  const int left = cell_at(std::min(x, far_x) - wide_x, grid_.lower[0], grid_.columns);
+  const int right = cell_at(std::max(x, far_x) + wide_x, grid_.lower[0], grid_.columns);
+  const int low = cell_at(std::min(y, far_y) - wide_y, grid_.lower[1], grid_.rows);
+  const int high = cell_at(std::max(y, far_y) + wide_y, grid_.lower[1], grid_.rows);
+  for (int row = low; row <= high; ++row) {
+    for (int column = left; column <= right; ++column) {
+      const std::size_t cell = std::size_t(row) * std::size_t(grid_.columns) + std::size_t(column);
+      for (std::size_t s = cell == 0 ? 0 : cell_start_[cell - 1]; s < cell_start_[cell]; ++s) {
+        const std::size_t p = cell_particles_[s];
+        if (p == traction.particle) continue;
+        const double dx = x - particles_.x[p], dy = y - particles_.y[p];
+        const double behind = nx * dx + ny * dy;
+        if (behind > 0.0 && behind < limit && std::abs(ny * dx - nx * dy) < half) strip_.push_back({p, behind, 0.0});
+      }
+    }
+  }
+}
 
 void MaterialPointMethod::sort_into_cells() {
   constexpr std::size_t rows_per_band = 3;  // a cell reaches the nodes of the cells beside it, see for_each_cell()

@@ -104,11 +104,7 @@ void MaterialPointMethod::predict(double dt, const PoreState& pore, std::span<co
   sort_into_cells();
   sum_cell_gradients();
   scatter(pore, {body_acceleration[0], body_acceleration[1] - settings_.gravity});
-  if (settings_.shape_function == ShapeFunction::quadratic_bspline) {
-    add_tractions<QuadraticBSpline>(tractions);
-  } else {
-    add_tractions<Linear>(tractions);
-  }
+  add_tractions(tractions);
   fold_walls(dt);
   if (settings_.averages_pressure && !pore.pressure.empty()) {
     find_pressure_force(pore.pressure);

@@ -43,7 +43,8 @@ struct PoreState {
   std::span<const double> water_mass;  ///< n S_r rho_w V (kg/m), the water that moves with the skeleton
 };
 
-/// A traction on the face of one particle.
+/// A traction on the face of one particle. It is handed on to the soil behind the face, three cells deep, so that soil
+/// under uniform load is uniform wherever its surface lies in the grid.
 struct ParticleTraction {
   std::size_t particle = 0;
   double x = 0.0;  ///< (Pa)
@@ -141,6 +142,12 @@ class MaterialPointMethod {
     Eigen::Array2d momentum, force;
     double mass;
   };
+  // A particle behind a loaded face.
+  struct Behind {
+    std::size_t particle;
+    double distance;  // of the face (m)
+    double share;     // of the load
+  };
   // Grid cells that hold particles.
   struct Cell {
     std::size_t index;     // in the grid
@@ -179,8 +186,8 @@ class MaterialPointMethod {
   template <class Visit>
   void for_each_cell(const Visit& visit) const;
   void scatter(const PoreState& pore, const Eigen::Array2d& acceleration);
-  template <class Shape>
   void add_tractions(std::span<const ParticleTraction> tractions);
+  void find_strip(const ParticleTraction& traction, double nx, double ny, double limit);
   void fold_walls(double dt);
   void hold_walls();
   void find_wall_nodes();
@@ -222,6 +229,7 @@ class MaterialPointMethod {
   std::vector<Eigen::Array2d> response_;  // velocity per impulse: 1 / mass, slowed by the damping; 0 where a wall holds
   std::vector<CellGradient> cell_gradient_;
   std::vector<std::array<double, 4>> velocity_gradient_;  // of each particle: dvx/dx, dvx/dy, dvy/dx, dvy/dy
+  std::vector<Behind> strip_;                             // of the traction at hand
   // work space of the pressure's force and the divergence; it carries nothing from one call to the next
   mutable std::vector<Eigen::Array2d> pressure_force_;
   mutable std::vector<double> cell_value_;
