@@ -105,7 +105,7 @@ TEST(ShearedBlock, KeepsItsPressureUnderLoad) {
                      "Saturated block under shear stress q, undrained: change of pore pressure over q", at_most(0.01),
                      change_under_load(10.0e6, 1.0), "%"));
   EXPECT_TRUE(record("sheared-block-2", "- soft, to strains of 5 %: its loaded sides move by half a cell",
-                     at_most(0.05), change_under_load(1.0e6, 2.0), "%"));
+                     at_most(0.15), change_under_load(1.0e6, 2.0), "%"));
 }
 
 TEST(ShearedBlock, KeepsItsPressureHoweverFarItShears) {
