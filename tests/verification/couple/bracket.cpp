@@ -1,0 +1,68 @@
+// A slope whose factor of safety by a circular search is 1.4 stands; with its strength divided by 1.5 it falls.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "run_case.hpp"
+#include "slope/testing/circular_search.hpp"
+#include "slope/testing/record.hpp"
+
+namespace slope::testing {
+namespace {
+
+constexpr double cohesion = 4.69e3, friction_angle = 25.0 * std::numbers::pi / 180.0;  // of bracket.yaml
+
+std::vector<std::string> strength_over(double factor) {
+  const double reduced_angle = std::atan(std::tan(friction_angle) / factor) * 180.0 / std::numbers::pi;
+  return {"soils.loam.strength.cohesion=" + std::to_string(cohesion / factor) + " Pa",
+          "soils.loam.strength.friction_angle=" + std::to_string(reduced_angle) + " deg"};
+}
+
+// By Bishop's method, with the geometry and the strength that the simulation has.
+double factor_of_safety(const couple::Simulation& simulation) {
+  const couple::Soil& soil = simulation.input().soils.front();
+  const std::vector<couple::Point>& corners = simulation.input().regions.front().polygon;
+  const auto& strength = std::get<solid::MohrCoulomb>(soil.solid.strength);
+  const double density =
+      (1.0 - soil.porosity) * soil.solid.grain_density + soil.porosity * simulation.input().water.density;
+  return critical_circle({.toe = corners[4], .crest = corners[3], .base = corners[0][1]},
+                         {.unit_weight = density * simulation.input().gravity,
+                          .friction_angle = strength.friction_angle,
+                          .cohesion = [&](double, double) { return strength.cohesion; },
+                          .pore_stress = [](double, double) { return 0.0; }})
+      .factor_of_safety;
+}
+
+TEST(Bracket, StandsWithAFactorOfSafetyOf14) {
+  couple::Simulation simulation = start_case("bracket.yaml", strength_over(1.0));
+  EXPECT_TRUE(record("bracket-1", "Slope 1:1.5, Mohr-Coulomb: factor of safety by Bishop's circular search",
+                     near(1.4, 0.005), factor_of_safety(simulation), ""));
+  EXPECT_LT(simulation.summary().initial_unbalanced_ratio, 1.0e-5);
+  double settling = 0.0;  // displacement of the last second
+  run(simulation, [&](const couple::ParticleTable& table) {
+    if (table.time < 3.5) settling = simulation.summary().largest_displacement;
+  });
+  const couple::Summary summary = simulation.summary();
+  EXPECT_EQ(summary.end_reason, "time");
+  EXPECT_TRUE(record("bracket-2", "- it stands: largest displacement in 4 s of dynamics", at_most(0.1),
+                     1e3 * summary.largest_displacement, "mm"));
+  EXPECT_LT(summary.largest_displacement - settling, 0.2 * summary.largest_displacement) << "comes to rest";
+}
+
+TEST(Bracket, FallsWithItsStrengthDividedBy15) {
+  couple::Simulation simulation = start_case("bracket.yaml", strength_over(1.5));
+  EXPECT_NEAR(factor_of_safety(simulation), 1.4 / 1.5, 0.005);
+  run(simulation, [](const couple::ParticleTable&) {});
+  const couple::Summary summary = simulation.summary();
+  ASSERT_TRUE(summary.onset_time.has_value());
+  EXPECT_EQ(summary.end_reason, "displacement") << "the slide goes on to 30 cm";
+  EXPECT_TRUE(record("bracket-3",
+                     "- with c and tan(phi) divided by 1.5 (factor 0.93) it falls: time to a displacement of 30 cm",
+                     at_most(4.0), summary.time, "s"));
+}
+
+}  // namespace
+}  // namespace slope::testing
