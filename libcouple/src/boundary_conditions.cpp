@@ -39,13 +39,25 @@ double intensity_until(const Rain& rain, double time) {
 
 }  // namespace
 
+double Reservoir::level_at(double time) const {
+  const auto after = std::ranges::find_if(level, [time](const LevelPoint& point) { return point.time >= time; });
+  if (after == level.end()) return level.back().level;
+  if (after == level.begin()) return level.front().level;
+  const LevelPoint& before = *(after - 1);
+  return before.level + (after->level - before.level) * ((time - before.time) / (after->time - before.time));
+}
+
+double Reservoir::highest_level() const {
+  return std::ranges::max_element(level, {}, &LevelPoint::level)->level;
+}
+
 BoundaryConditions::BoundaryConditions(const Case& input, const InitialParticles& particles)
     : water_(input.water_boundaries),
       tractions_(input.tractions),
       seismic_(input.seismic),
       gravity_(input.gravity),
       face_distance_(particles.face_distance),
-      takes_rain_(particles.x.size(), true),
+      first_cover_(particles.x.size(), Cover::none),
       spacing_(particles.spacing),
       surface_(particles.spacing, mirror_walls(input)) {
   const auto add_times = [this](double start, double ramp) {
@@ -56,8 +68,12 @@ BoundaryConditions::BoundaryConditions(const Case& input, const InitialParticles
     water_particles_.push_back(particles_at(boundary.where, particles));
     names_.push_back(boundary.name);
     add_times(boundary.start, boundary.ramp);
-    if (is_rain(names_.size() - 1)) continue;
-    for (const std::size_t p : water_particles_.back()) takes_rain_[p] = false;
+    if (boundary.where.place == Place::free_surface) continue;
+    for (const std::size_t p : water_particles_.back()) first_cover_[p] = Cover::condition;
+  }
+  for (const WaterBoundary& boundary : water_) {
+    if (!std::holds_alternative<Reservoir>(boundary.condition)) continue;
+    names_.push_back(boundary.name + " above the level");
   }
   for (const Traction& traction : tractions_) {
     traction_particles_.push_back(particles_at(traction.where, particles));
@@ -72,17 +88,25 @@ BoundaryConditions::BoundaryConditions(const Case& input, const InitialParticles
   first_pressure_.assign(particles.x.size(), 0.0);
 }
 
-void BoundaryConditions::apply(double time, const Mixture& mixture, Actions& actions) {
+void BoundaryConditions::start(Actions& actions) {
   actions.water.held.clear();
   actions.water.faces.clear();
   actions.water.inflows.clear();
   actions.water.open_faces.clear();
-  actions.water.count = water_.size();
+  actions.water.count = names_.size();
+  actions.standing_water = {};
   actions.tractions.clear();
+  actions.body_acceleration = {0.0, 0.0};
+  cover_ = first_cover_;
+}
+
+void BoundaryConditions::apply(double time, const Mixture& mixture, Actions& actions) {
+  start(actions);
   const double shaking = time >= seismic_.start ? gravity_ * ramp_share(time, seismic_.start, seismic_.ramp) : 0.0;
   actions.body_acceleration = {shaking * seismic_.horizontal_coefficient, shaking * seismic_.vertical_coefficient};
+  flood(time, false, mixture, actions);
   for (std::size_t b = 0; b < water_.size(); ++b) {
-    if (time < water_[b].start) continue;
+    if (time < water_[b].start || std::holds_alternative<Reservoir>(water_[b].condition)) continue;
     const double share = ramp_share(time, water_[b].start, water_[b].ramp);
     if (const auto* rain = std::get_if<Rain>(&water_[b].condition)) {
       add_rain(b, share * intensity_until(*rain, time), mixture, actions);
@@ -90,6 +114,7 @@ void BoundaryConditions::apply(double time, const Mixture& mixture, Actions& act
       add_water(b, share, mixture, actions);
     }
   }
+  add_seepage_faces(false, mixture, actions);
   for (std::size_t k = 0; k < tractions_.size(); ++k) {
     const Traction& traction = tractions_[k];
     if (time < traction.start) continue;
@@ -103,28 +128,88 @@ void BoundaryConditions::apply(double time, const Mixture& mixture, Actions& act
 }
 
 void BoundaryConditions::apply_initial(const Mixture& mixture, Actions& actions) {
-  actions = {};
-  actions.water.count = water_.size();
+  start(actions);
+  flood(0.0, true, mixture, actions);
   for (std::size_t b = 0; b < water_.size(); ++b) {
-    if (!water_[b].initial) continue;
+    if (!water_[b].initial || std::holds_alternative<Reservoir>(water_[b].condition)) continue;
     if (const auto* rain = std::get_if<Rain>(&water_[b].condition)) {
       add_rain(b, rain->before_start.value_or(rain->hyetograph.front().intensity), mixture, actions);
     } else {
       add_water(b, 1.0, mixture, actions);
     }
   }
+  add_seepage_faces(true, mixture, actions);
 }
 
-double BoundaryConditions::next_rain_change(double time) const {
+double BoundaryConditions::next_change(double time) const {
   double next = never;
-  for (const WaterBoundary& boundary : water_) {
-    const auto* rain = std::get_if<Rain>(&boundary.condition);
-    if (rain == nullptr) continue;
-    for (const RainStep& step : rain->hyetograph) {
-      if (step.time > time) next = std::min(next, step.time);
+  const auto look_at = [&](const auto& points) {
+    for (const auto& point : points) {
+      if (point.time > time) next = std::min(next, point.time);
     }
+  };
+  for (const WaterBoundary& boundary : water_) {
+    if (const auto* rain = std::get_if<Rain>(&boundary.condition)) look_at(rain->hyetograph);
+    if (const auto* reservoir = std::get_if<Reservoir>(&boundary.condition)) look_at(reservoir->level);
   }
   return next;
+}
+
+// Puts the surface below the levels under water.
+void BoundaryConditions::flood(double time, bool before_start, const Mixture& mixture, Actions& actions) {
+  const double unit_weight = mixture.water.water().unit_weight();
+  for (std::size_t b = 0; b < water_.size(); ++b) {
+    const auto* reservoir = std::get_if<Reservoir>(&water_[b].condition);
+    if (reservoir == nullptr || (before_start && !water_[b].initial)) continue;
+    const double level = reservoir->level_at(time);
+    const PlaceRange& where = water_[b].where;
+    surface_.update(mixture.skeleton());
+    for (const seepage::SurfacePiece& piece : surface_.pieces()) {
+      const std::uint32_t p = piece.particle;
+      const double x = mixture.soil.particles().x[p];
+      const double rise = face_distance_[p] * piece.ny;
+      const double depth = level - mixture.soil.particles().y[p] - rise;
+      if (cover_[p] != Cover::none || x < where.from || x > where.to || depth <= 0.0) continue;
+      cover_[p] = Cover::water;
+      actions.water.faces.push_back(
+          {p, static_cast<std::uint32_t>(b), unit_weight * depth, rise, face_distance_[p], piece.area});
+    }
+    add_standing_water(level, mixture, actions.standing_water);
+  }
+}
+
+// The pressure of standing water, as if there were no soil. At the level a particle has the mean over its square.
+void BoundaryConditions::add_standing_water(double level, const Mixture& mixture, StandingWater& standing) const {
+  const double unit_weight = mixture.water.water().unit_weight();
+  const std::vector<double>& y = mixture.soil.particles().y;
+  standing.pressure.resize(y.size(), 0.0);
+  standing.gradient_x.resize(y.size(), 0.0);
+  standing.gradient_y.resize(y.size(), 0.0);
+  for (std::size_t p = 0; p < y.size(); ++p) {
+    const double depth = level - y[p];
+    const double share = std::clamp(depth / spacing_ + 0.5, 0.0, 1.0);  // of the particle, under water
+    const double pressure = unit_weight * (share < 1.0 ? 0.5 * spacing_ * share * share : depth);
+    if (pressure <= standing.pressure[p]) continue;
+    standing.pressure[p] = pressure;
+    standing.gradient_y[p] = -unit_weight * share;
+  }
+}
+
+// Lets water out where a reservoir's range is neither under water nor under rain.
+void BoundaryConditions::add_seepage_faces(bool before_start, const Mixture& mixture, Actions& actions) {
+  std::size_t index = water_.size();
+  for (const WaterBoundary& boundary : water_) {
+    if (!std::holds_alternative<Reservoir>(boundary.condition)) continue;
+    const auto open_air = static_cast<std::uint32_t>(index++);
+    if (before_start && !boundary.initial) continue;
+    for (const seepage::SurfacePiece& piece : surface_.pieces()) {
+      const std::uint32_t p = piece.particle;
+      const double x = mixture.soil.particles().x[p];
+      if (cover_[p] != Cover::none || x < boundary.where.from || x > boundary.where.to) continue;
+      actions.water.open_faces.push_back(
+          {p, open_air, 0.0, 0.0, -never, face_distance_[p] * piece.ny, face_distance_[p], piece.area});
+    }
+  }
 }
 
 // Rain falls vertically: each particle gets it on the width that is seen from above. All of the surface lets water out.
@@ -136,7 +221,8 @@ void BoundaryConditions::add_rain(std::size_t boundary, double intensity, const 
   for (const seepage::SurfacePiece& piece : surface_.pieces()) {
     const double x = mixture.soil.particles().x[piece.particle];
     const double distance = face_distance_[piece.particle];
-    if (!takes_rain_[piece.particle] || x < where.from || x > where.to) continue;
+    if (cover_[piece.particle] != Cover::none || x < where.from || x > where.to) continue;
+    cover_[piece.particle] = Cover::rain;
     actions.water.open_faces.push_back({piece.particle, static_cast<std::uint32_t>(boundary), intensity * piece.width,
                                         ponding_pressure, -rain.evaporation_limit, distance * piece.ny, distance,
                                         piece.area});

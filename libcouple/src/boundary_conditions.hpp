@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "actions.hpp"
@@ -11,7 +12,8 @@
 namespace slope::couple {
 
 /// The case's water boundaries, tractions and earthquake, tied to the particles that they were given at the start; rain
-/// to those that are the free surface now. A particle that another water boundary has takes no rain.
+/// and reservoirs to those that are the free surface now. A particle that another water boundary has takes neither, and
+/// what is under water takes no rain.
 class BoundaryConditions {
  public:
   BoundaryConditions(const Case& input, const InitialParticles& particles);
@@ -27,17 +29,25 @@ class BoundaryConditions {
 
   /// Times at which a condition begins or ends its ramp, ascending (s).
   [[nodiscard]] const std::vector<double>& change_times() const { return change_times_; }
-  /// The first time after the one given (s) at which a rain changes.
-  [[nodiscard]] double next_rain_change(double time) const;
-  /// Whether a water boundary is rain, whose parts the water counts as air_flow().
-  [[nodiscard]] bool is_rain(std::size_t boundary) const {
-    return std::holds_alternative<Rain>(water_[boundary].condition);
+  /// The first time after the one given (s) at which a rain changes or a level has a point.
+  [[nodiscard]] double next_change(double time) const;
+  /// Whether a boundary of the water's books is the open air, whose parts the water counts as air_flow(): rain, or what
+  /// a reservoir leaves dry.
+  [[nodiscard]] bool is_open(std::size_t boundary) const {
+    return boundary >= water_.size() || std::holds_alternative<Rain>(water_[boundary].condition);
   }
-  /// Names of the water boundaries, by the index under which the water counts them.
+  /// Names of the boundaries in the water's books: the water boundaries, then what each reservoir leaves dry.
   [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
 
  private:
+  // What has a particle's piece of the free surface.
+  enum class Cover : std::uint8_t { none, condition, water, rain };
+
+  void start(Actions& actions);
   void add_water(std::size_t boundary, double share, const Mixture& mixture, Actions& actions) const;
+  void flood(double time, bool before_start, const Mixture& mixture, Actions& actions);
+  void add_standing_water(double level, const Mixture& mixture, StandingWater& standing) const;
+  void add_seepage_faces(bool before_start, const Mixture& mixture, Actions& actions);
   void add_rain(std::size_t boundary, double intensity, const Mixture& mixture, Actions& actions);
 
   std::vector<WaterBoundary> water_;
@@ -49,7 +59,7 @@ class BoundaryConditions {
   std::vector<double> change_times_;
   std::vector<double> first_pressure_;
   std::vector<double> face_distance_;
-  std::vector<bool> takes_rain_;  // of each particle
+  std::vector<Cover> first_cover_, cover_;  // of each particle, by what holds always, and now
   double spacing_;
   seepage::FreeSurface surface_;
 };

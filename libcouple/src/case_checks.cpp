@@ -108,7 +108,8 @@ bool overlap(const PlaceRange& a, const PlaceRange& b) {
   return a.place == b.place && std::max(a.from, b.from) < std::min(a.to, b.to);
 }
 
-/// A particle whose pressure is held, or on which rain falls, takes no second condition of that place.
+/// A particle whose pressure is held, or on which rain falls or water stands, takes no second such condition of that
+/// place. Rain may fall on a reservoir.
 void check_overlaps(const Input& place, const std::vector<WaterBoundary>& boundaries) {
   const auto held = [](const WaterBoundary& boundary) {
     return !std::holds_alternative<PrescribedFlux>(boundary.condition);
@@ -116,9 +117,32 @@ void check_overlaps(const Input& place, const std::vector<WaterBoundary>& bounda
   for (std::size_t i = 0; i < boundaries.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
       if (!overlap(boundaries[i].where, boundaries[j].where) || !(held(boundaries[i]) || held(boundaries[j]))) continue;
-      const bool rain = boundaries[i].where.place == Place::free_surface;
+      const bool surface = boundaries[i].where.place == Place::free_surface;
+      const bool rain = std::holds_alternative<Rain>(boundaries[i].condition);
+      if (surface && rain != std::holds_alternative<Rain>(boundaries[j].condition)) continue;
+      const char* what = !surface ? "a pressure can be held" : rain ? "rain can fall" : "water can stand";
       place.item(i).problem(fmt::format("overlaps with \"{}\", and {} only once; part them by \"from\" and \"to\"",
-                                        boundaries[j].name, rain ? "rain can fall" : "a pressure can be held"));
+                                        boundaries[j].name, what));
+    }
+  }
+}
+
+/// The weight of standing water is that of one level all over the soil.
+void check_reservoirs(const Input& place, const Case& input, const InitialParticles& particles) {
+  if (input.scheme == Scheme::seepage) return;
+  for (std::size_t i = 0; i < input.water_boundaries.size(); ++i) {
+    const auto* reservoir = std::get_if<Reservoir>(&input.water_boundaries[i].condition);
+    if (reservoir == nullptr) continue;
+    const PlaceRange& where = input.water_boundaries[i].where;
+    const double level = reservoir->highest_level();
+    for (const std::size_t p : particles_at({}, particles)) {
+      const double x = particles.x[p], ground = particles.y[p] + particles.face_distance[p];
+      if ((x >= where.from && x <= where.to) || ground >= level) continue;
+      place.item(i).problem(fmt::format(
+          "the ground at x = {:g} m, y = {:g} m lies beyond \"from\" and \"to\", but below the highest level, {:g} m; "
+          "widen the range, or move the water alone with \"coupling: {{scheme: seepage}}\"",
+          x, ground, level));
+      break;
     }
   }
 }
@@ -130,13 +154,13 @@ void check_steady(const Input& root, const Case& input) {
   for (std::size_t i = 0; i < input.water_boundaries.size(); ++i) {
     const WaterBoundary& boundary = input.water_boundaries[i];
     held = held || (boundary.initial && !std::holds_alternative<PrescribedFlux>(boundary.condition));
-    if (boundary.initial && !steady) {
+    if (boundary.initial && !steady && !std::holds_alternative<Reservoir>(boundary.condition)) {
       place.item(i).at("initial").problem("has a meaning only with initial.water of type steady; remove it");
     }
   }
   if (steady && !held) {
     root.at("initial").at("water").problem(
-        "steady seepage needs a water boundary with a pressure, total_head or rain and \"initial: true\"");
+        "steady seepage needs a water boundary with a pressure, total_head, rain or reservoir and \"initial: true\"");
   }
 }
 
@@ -193,7 +217,10 @@ void check_case(const Input& root, const Case& input) {
   if (root.clean("loads")) check_names(root.at("loads"), input.tractions);
   if (soil_is_known) {
     const InitialParticles particles = fill_regions(input.domain, input.regions);
-    if (root.clean("water_boundaries")) check_places(water, input.water_boundaries, particles);
+    if (root.clean("water_boundaries")) {
+      check_places(water, input.water_boundaries, particles);
+      if (root.clean("coupling")) check_reservoirs(water, input, particles);
+    }
     if (root.clean("loads")) check_places(root.at("loads"), input.tractions, particles);
   }
   if (root.clean("initial") && root.clean("soils")) check_k0(root, input);

@@ -14,11 +14,12 @@ constexpr auto itself = [](auto& value) -> auto& {
   return value;
 };
 
-/// A water boundary as it stands in the file: one of four conditions.
+/// A water boundary as it stands in the file: one of the conditions.
 struct WaterBoundaryText {
   WaterBoundary common;  ///< all but the condition
   std::optional<double> pressure, total_head, flux;
   std::optional<Rain> rain;
+  std::optional<Reservoir> reservoir;
   std::optional<bool> at_face;
 };
 
@@ -65,30 +66,75 @@ void add_times(Record<Condition>& record, auto of) {
           "how long it takes to go from what is there to the prescribed value");
 }
 
-/// [time, intensity]
-Format<RainStep> rain_step_format() {
+/// [time, value]
+template <class Step>
+Format<Step> step_format(double Step::*member, Dimension dimension, const std::string& example) {
   const Format<double> time = quantity(Dimension::time, at_least(0.0));
-  const Format<double> intensity = quantity(Dimension::velocity);
+  const Format<double> value = quantity(dimension);
   Document either = Document::map();
-  either.set("anyOf", Document::list({time.schema, intensity.schema}));
+  either.set("anyOf", Document::list({time.schema, value.schema}));
   Document schema = Document::map();
   schema.set("type", Document::text("array"))
       .set("items", std::move(either))
       .set("minItems", Document::number(2))
       .set("maxItems", Document::number(2));
-  const auto read = [time, intensity](const Input& input, RainStep& step) {
+  const auto read = [=](const Input& input, Step& step) {
     if (!expect_list(input, 2)) return;
     if (input.node().children.size() > 2) {
-      input.problem("expected [time, intensity], such as [2 h, 40 mm/h]");
+      input.problem(fmt::format("expected {}", example));
       return;
     }
     time.read(input.item(0), step.time);
-    intensity.read(input.item(1), step.intensity);
+    value.read(input.item(1), step.*member);
   };
-  const auto write = [time, intensity](const RainStep& step) {
-    return Document::list({time.write(step.time), intensity.write(step.intensity)});
+  const auto write = [=](const Step& step) {
+    return Document::list({time.write(step.time), value.write(step.*member)});
   };
   return {read, write, std::move(schema)};
+}
+
+Format<RainStep> rain_step_format() {
+  return step_format(&RainStep::intensity, Dimension::velocity, "[time, intensity], such as [2 h, 40 mm/h]");
+}
+
+/// Reports the steps that are not after the one before.
+template <class Step>
+void check_times(const Input& input, const std::vector<Step>& steps) {
+  for (std::size_t i = 1; i < steps.size(); ++i) {
+    if (steps[i].time > steps[i - 1].time) continue;
+    input.item(i).problem("times must grow from step to step");
+  }
+}
+
+/// A level, or points [time, level] of one.
+Format<std::vector<LevelPoint>> level_format() {
+  const Format<double> constant = quantity(Dimension::length);
+  const auto points =
+      list_of(step_format(&LevelPoint::level, Dimension::length, "[time, level], such as [10 h, 5 m]"), 1);
+  Document schema = Document::map();
+  schema.set("anyOf", Document::list({constant.schema, points.schema}));
+  const auto read = [=](const Input& input, std::vector<LevelPoint>& level) {
+    if (input.node().kind != Document::Kind::list) {
+      level.assign(1, {});
+      constant.read(input, level.front().level);
+      return;
+    }
+    points.read(input, level);
+    check_times(input, level);
+  };
+  const auto write = [=](const std::vector<LevelPoint>& level) {
+    return level.size() == 1 ? constant.write(level.front().level) : points.write(level);
+  };
+  return {read, write, std::move(schema)};
+}
+
+Format<Reservoir> reservoir_format() {
+  Record<Reservoir> record;
+  record.required("level", &Reservoir::level, level_format(),
+                  "y of the water's surface: one level, or points [time, level] with straight lines between them, "
+                  "constant before the first and after the last",
+                  "[[0 h, 9 m], [10 h, 5 m]]");
+  return record.format();
 }
 
 void from_text(const Input& input, const RainText& text, Rain& rain) {
@@ -101,10 +147,7 @@ void from_text(const Input& input, const RainText& text, Rain& rain) {
   }
   rain.hyetograph = text.hyetograph;
   if (text.intensity) rain.hyetograph = {{0.0, *text.intensity}};
-  for (std::size_t i = 1; i < text.hyetograph.size(); ++i) {
-    if (text.hyetograph[i].time > text.hyetograph[i - 1].time) continue;
-    input.at("hyetograph").item(i).problem("times must grow from step to step");
-  }
+  check_times(input.at("hyetograph"), text.hyetograph);
   if (text.file.empty()) return;
   const auto read = read_hyetograph(std::filesystem::path(input.file()).parent_path() / text.file);
   if (const auto* wrong = std::get_if<std::string>(&read)) {
@@ -168,22 +211,31 @@ Format<Rain> rain_format() {
 
 void from_text(const Input& input, const WaterBoundaryText& text, WaterBoundary& boundary) {
   boundary = text.common;
-  const int given =
-      text.pressure.has_value() + text.total_head.has_value() + text.flux.has_value() + text.rain.has_value();
+  const int given = text.pressure.has_value() + text.total_head.has_value() + text.flux.has_value() +
+                    text.rain.has_value() + text.reservoir.has_value();
   if (given != 1) {
-    input.problem(
-        fmt::format("needs one of pressure, total_head, flux and rain, got {}; write for example \"pressure: 0 kPa\"",
-                    given == 0 ? "none" : std::to_string(given)));
+    input.problem(fmt::format("needs one of {}, got {}; write for example \"pressure: 0 kPa\"",
+                              fmt::join(water_conditions, ", "), given == 0 ? "none" : std::to_string(given)));
     return;
   }
-  if ((boundary.where.place == Place::free_surface) != text.rain.has_value()) {
-    input.at("at").problem(text.rain ? "rain falls on the free surface; write \"at: free_surface\""
-                                     : "the free surface takes rain only; write \"at: ground_surface\"");
+  const bool on_surface = text.rain || text.reservoir;
+  if ((boundary.where.place == Place::free_surface) != on_surface) {
+    input.at("at").problem(text.rain        ? "rain falls on the free surface; write \"at: free_surface\""
+                           : text.reservoir ? "a reservoir stands on the free surface; write \"at: free_surface\""
+                                            : "the free surface takes rain or a reservoir; write \"at: "
+                                              "ground_surface\"");
     return;
   }
   if (text.rain) {
     boundary.condition = *text.rain;
     if (text.at_face) input.at("applied_to").problem("rain always enters through the face; remove this key");
+    return;
+  }
+  if (text.reservoir) {
+    boundary.condition = *text.reservoir;
+    for (const char* key : {"applied_to", "start", "ramp"}) {
+      if (input.has(key)) input.at(key).problem("a reservoir has its level and no more; remove this key");
+    }
     return;
   }
   if (text.flux) {
@@ -195,9 +247,13 @@ void from_text(const Input& input, const WaterBoundaryText& text, WaterBoundary&
 }
 
 WaterBoundaryText to_text(const WaterBoundary& boundary) {
-  WaterBoundaryText text{boundary, {}, {}, {}, {}, {}};
+  WaterBoundaryText text{boundary, {}, {}, {}, {}, {}, {}};
   if (const auto* rain = std::get_if<Rain>(&boundary.condition)) {
     text.rain = *rain;
+    return text;
+  }
+  if (const auto* reservoir = std::get_if<Reservoir>(&boundary.condition)) {
+    text.reservoir = *reservoir;
     return text;
   }
   if (const auto* flux = std::get_if<PrescribedFlux>(&boundary.condition)) {
@@ -259,9 +315,8 @@ Format<WaterBoundary> water_boundary_format() {
   places.emplace_back("free_surface", Place::free_surface);
   add_place(
       record, [](auto& text) -> auto& { return text.common.where; }, std::move(places),
-      "the uppermost or lowest particle of each column, or the outermost of each row; free_surface, for rain: where "
-      "soil "
-      "meets air, found anew as it moves");
+      "the uppermost or lowest particle of each column, or the outermost of each row; free_surface, for rain "
+      "and reservoirs: where soil meets air or water, found anew as it moves");
   record
       .optional(
           "pressure", &WaterBoundaryText::pressure, maybe(quantity(Dimension::pressure)),
@@ -273,13 +328,16 @@ Format<WaterBoundary> water_boundary_format() {
                 "prescribed flux per area of the surface, positive into the soil")
       .optional("rain", &WaterBoundaryText::rain, maybe(rain_format()),
                 "rain or evaporation on the free surface, which water may leave but never enters by suction")
+      .optional("reservoir", &WaterBoundaryText::reservoir, maybe(reservoir_format()),
+                "water that stands on the free surface with its pressure and its weight; above its level the surface "
+                "takes the rain that another boundary has there, or lets water out")
       .optional(
           "applied_to", &WaterBoundaryText::at_face, maybe(choice<bool>({{"particle", false}, {"face", true}})),
           "where a pressure or head holds: in the particle (default) or at the face half a spacing outside of it");
   add_times(record, common);
   record.optional(
       "initial", [](auto& text) -> auto& { return text.common.initial; }, flag(),
-      "holds in the steady seepage before the start too");
+      "holds in the steady seepage before the start too; of a reservoir also the weight, in the initial stress");
   Format<WaterBoundary> format = converted<WaterBoundaryText, WaterBoundary>(
       record.format(),
       [](const Input& input, const WaterBoundaryText& text, WaterBoundary& boundary) {

@@ -28,7 +28,8 @@ seepage::SolveReport ExplicitScheme::step(Mixture& mixture, const Actions& actio
   seepage::PoreFlow& water = mixture.water;
 
   // 1 to 5: the soil with the total stress of the step before
-  soil.predict(time_step, mixture.pore_state(), actions.tractions, 0.0, actions.body_acceleration);
+  soil.predict(time_step, mixture.pore_state(), actions.tractions, 0.0, actions.body_acceleration,
+               actions.standing_water.view());
   soil.advance(time_step, water.suction());
 
   // 6 to 9: the water with the soil's new positions and velocities

@@ -22,7 +22,8 @@ double find_balance(Mixture& mixture, const Actions& actions, const SlopeScale& 
   const solid::StepMode mode{.yields = yields, .moves = false, .accumulates_strain = false};
   double unbalanced = 0.0;
   for (double t = 0.0; t < longest_search * scale.period(); t += time_step) {
-    soil.predict(time_step, mixture.pore_state(), actions.tractions, damping);
+    soil.predict(time_step, mixture.pore_state(), actions.tractions, damping, actions.body_acceleration,
+                 actions.standing_water.view());
     soil.advance(time_step, mixture.water.suction(), mode);
     unbalanced = soil.balance().unbalanced_force / soil.balance().weight;
     if (t > scale.period() && unbalanced < balanced) break;
@@ -31,8 +32,8 @@ double find_balance(Mixture& mixture, const Actions& actions, const SlopeScale& 
 }
 
 // Vertical effective stress by the weight of what lies above in the same column, one spacing wide, and of half the
-// particle itself.
-void set_overburden(Mixture& mixture, double gravity, double spacing) {
+// particle itself; under standing water by the weight less the buoyancy, and the pore pressure less the water's.
+void set_overburden(Mixture& mixture, const StandingWater& standing, double gravity, double spacing) {
   solid::Particles& p = mixture.soil.particles();
   const double left = *std::ranges::min_element(p.x);
   std::map<long, std::vector<std::size_t>> columns;
@@ -41,8 +42,13 @@ void set_overburden(Mixture& mixture, double gravity, double spacing) {
     std::ranges::sort(column, [&p](std::size_t a, std::size_t b) { return p.y[a] > p.y[b]; });
     double above = 0.0;
     for (const std::size_t i : column) {
-      const double own = (p.solid_mass[i] + mixture.water_mass()[i]) * gravity / spacing;
-      p.syy[i] = std::min(0.0, mixture.water.pore_stress()[i] - above - 0.5 * own);
+      double own = (p.solid_mass[i] + mixture.water_mass()[i]) * gravity / spacing;
+      double pressure = mixture.water.pore_stress()[i];
+      if (!standing.pressure.empty()) {
+        own += p.volume[i] * standing.gradient_y[i] / spacing;
+        pressure -= standing.pressure[i];
+      }
+      p.syy[i] = std::min(0.0, pressure - above - 0.5 * own);
       above += own;
     }
   }
@@ -109,7 +115,7 @@ double find_self_weight_stress(Mixture& mixture, const Actions& actions, const S
 double find_k0_stress(Mixture& mixture, const Actions& actions, const SlopeScale& scale, double time_step,
                       double spacing, std::span<const double> k0) {
   solid::MaterialPointMethod& soil = mixture.soil;
-  set_overburden(mixture, scale.gravity, spacing);
+  set_overburden(mixture, actions.standing_water, scale.gravity, spacing);
   set_horizontal_stress(soil.particles(), k0);
   // the grid's own balance differs a little from the overburden: take the ratio again from what it found
   find_balance(mixture, actions, scale, time_step, false);

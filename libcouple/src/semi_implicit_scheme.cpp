@@ -13,7 +13,8 @@ seepage::SolveReport SemiImplicitScheme::step(Mixture& mixture, const Actions& a
   strain_.assign(soil.particles().size(), 0.0);
 
   // Predict: the soil's motion with the old pore pressure (Eq. 17), and the volume change that it brings.
-  soil.predict(time_step, mixture.pore_state(), actions.tractions, 0.0, actions.body_acceleration);
+  soil.predict(time_step, mixture.pore_state(), actions.tractions, 0.0, actions.body_acceleration,
+               actions.standing_water.view());
 
   // Respond: the pressure for which flow, storage and volume change balance (Eqs. 4-7), the soil yielding to it.
   water.follow(mixture.skeleton());

@@ -139,7 +139,7 @@ struct Simulation::State {
 double Simulation::State::next_stop() const {
   double next = std::min(input.stop.time, clock.next_change(time + sliver * time_step));
   next = std::min(next, history_time(history_rows));
-  next = std::min(next, conditions.next_rain_change(time + sliver * time_step));
+  next = std::min(next, conditions.next_change(time + sliver * time_step));
   if (next_snapshot < snapshot_times.size()) next = std::min(next, snapshot_times[next_snapshot]);
   if (result.onset_time) next = std::min(next, *result.onset_time + input.stop.after_onset);
   return next;
@@ -192,7 +192,7 @@ void Simulation::State::observe_water() {
   WaterBudget& water = result.water;
   for (std::size_t b = 0; b < rate.size(); ++b) {
     water.by_boundary[conditions.names()[b]] += rate[b] * water_step;
-    if (!conditions.is_rain(b)) {
+    if (!conditions.is_open(b)) {
       (rate[b] > 0.0 ? water.infiltration : water.outflow) += std::abs(rate[b]) * water_step;
     }
   }
@@ -261,7 +261,8 @@ void Simulation::initialise() {
   if (std::holds_alternative<SteadyWater>(s.input.initial_water)) find_steady_flow(s.mixture, s.conditions);
   s.mixture.weigh_water();
   s.conditions.remember_pressures(s.mixture.water.pressure());
-  const Actions before;
+  Actions before;
+  s.conditions.apply_initial(s.mixture, before);
   const double step = s.mixture.soil.stable_step(s.input.numerics.courant_number, s.mixture.water_mass());
   const bool needs_stress = s.input.scheme != Scheme::seepage;
   if (needs_stress && s.input.initial_stress == InitialStress::self_weight) {

@@ -144,7 +144,8 @@ void MaterialPointMethod::sort_into_cells() {
   for (std::size_t p = 0; p < grid_cell_of_.size(); ++p) cell_particles_[cell_start_[grid_cell_of_[p]]++] = p;
 }
 
-void MaterialPointMethod::scatter(const PoreState& pore, const Eigen::Array2d& acceleration) {
+void MaterialPointMethod::scatter(const PoreState& pore, const SurfacePressure& surface,
+                                  const Eigen::Array2d& acceleration) {
   using Eigen::Array2d;
   const std::size_t columns = std::size_t(grid_.node_columns());
   const double h = grid_.cell_size;
@@ -171,7 +172,8 @@ void MaterialPointMethod::scatter(const PoreState& pore, const Eigen::Array2d& a
       const double pressure = own_pressure ? pore.pressure[p] : 0.0;
       const Array2d stress_x = -volume * Array2d(particles_.sxx[p] - pressure, particles_.sxy[p]);
       const Array2d stress_y = -volume * Array2d(particles_.sxy[p], particles_.syy[p] - pressure);
-      const Array2d weight = mass * acceleration;
+      Array2d weight = mass * acceleration;
+      if (!surface.pressure.empty()) weight -= volume * Array2d(surface.gradient_x[p], surface.gradient_y[p]);
       Node* row = node_.data() + w.node;
       for (int b = 0; b < 3; ++b, row += columns) {
         const double row_mass = w.ny[b] * mass;

@@ -94,7 +94,8 @@ void MaterialPointMethod::stop() {
 }
 
 void MaterialPointMethod::predict(double dt, const PoreState& pore, std::span<const ParticleTraction> tractions,
-                                  double damping, std::array<double, 2> body_acceleration) {
+                                  double damping, std::array<double, 2> body_acceleration,
+                                  const SurfacePressure& surface) {
   require(tractions.empty() || settings_.particle_spacing > 0.0, "tractions need a particle spacing");
   if (settings_.shape_function == ShapeFunction::quadratic_bspline) {
     find_weights<QuadraticBSpline>();
@@ -103,14 +104,25 @@ void MaterialPointMethod::predict(double dt, const PoreState& pore, std::span<co
   }
   sort_into_cells();
   sum_cell_gradients();
-  scatter(pore, {body_acceleration[0], body_acceleration[1] - settings_.gravity});
+  const PoreState inside = less_outside(pore, surface);
+  scatter(inside, surface, {body_acceleration[0], body_acceleration[1] - settings_.gravity});
   add_tractions(tractions);
   fold_walls(dt);
-  if (settings_.averages_pressure && !pore.pressure.empty()) {
-    find_pressure_force(pore.pressure);
+  if (settings_.averages_pressure && !inside.pressure.empty()) {
+    find_pressure_force(inside.pressure);
     for (std::size_t i = 0; i < node_.size(); ++i) node_[i].force += pressure_force_[i];
   }
   update_velocity(dt, damping);
+}
+
+// The pore state with the pressure on the surface taken off its pressure.
+PoreState MaterialPointMethod::less_outside(const PoreState& pore, const SurfacePressure& surface) {
+  if (surface.pressure.empty()) return pore;
+  excess_.assign(particles_.size(), 0.0);
+  for (std::size_t p = 0; p < excess_.size(); ++p) {
+    excess_[p] = (pore.pressure.empty() ? 0.0 : pore.pressure[p]) - surface.pressure[p];
+  }
+  return {excess_, pore.water_mass};
 }
 
 void MaterialPointMethod::update_velocity(double dt, double damping) {

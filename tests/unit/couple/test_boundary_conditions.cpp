@@ -56,5 +56,77 @@ TEST(BoundaryConditions, AnEarthquakeGrowsOverItsRamp) {
   EXPECT_EQ(before.body_acceleration, (std::array{0.0, 0.0}));
 }
 
+/// Overrides of the quick case (ground at 1 m, face from x = 2.5 m to 7.2 m, crest at 5 m) with a lake on it.
+std::vector<std::string> lake_of(const std::string& level, const std::string& more = "") {
+  return {"water_boundaries=[{name: lake, at: free_surface, initial: true, reservoir: {level: " + level + "}}" + more +
+          "]"};
+}
+
+TEST(BoundaryConditions, AReservoirFollowsItsLevel) {
+  Acting acting(lake_of("[[10 s, 3 m], [20 s, 2 m], [30 s, 4 m]]"));
+  const auto& lake = std::get<Reservoir>(acting.input.water_boundaries[0].condition);
+  EXPECT_EQ(lake.level_at(0.0), 3.0);
+  EXPECT_EQ(lake.level_at(15.0), 2.5);
+  EXPECT_EQ(lake.level_at(25.0), 3.0);
+  EXPECT_EQ(lake.level_at(99.0), 4.0);
+  EXPECT_EQ(lake.highest_level(), 4.0);
+  EXPECT_EQ(acting.conditions.next_change(0.0), 10.0);
+  EXPECT_EQ(acting.conditions.next_change(10.0), 20.0);
+  EXPECT_EQ(acting.conditions.next_change(30.0), never);
+  EXPECT_EQ(acting.conditions.names(), (std::vector<std::string>{"lake", "lake above the level"}));
+  EXPECT_FALSE(acting.conditions.is_open(0));
+  EXPECT_TRUE(acting.conditions.is_open(1));
+}
+
+TEST(BoundaryConditions, AReservoirHoldsItsPressureBelowTheLevelAndLetsWaterOutAbove) {
+  Acting acting(lake_of("3 m"));
+  const Actions actions = acting.at(1.0);
+  EXPECT_EQ(actions.water.count, 2u);
+  ASSERT_FALSE(actions.water.faces.empty());
+  ASSERT_FALSE(actions.water.open_faces.empty());
+  const std::vector<double>& y = acting.mixture.soil.particles().y;
+  for (const seepage::FacePressure& face : actions.water.faces) {
+    EXPECT_EQ(face.boundary, 0u);
+    EXPECT_NEAR(face.pressure, 9810.0 * (3.0 - y[face.particle] - face.rise), 1e-9);
+    EXPECT_GT(face.pressure, 0.0);
+  }
+  for (const seepage::OpenFace& face : actions.water.open_faces) {
+    EXPECT_EQ(face.boundary, 1u);
+    EXPECT_EQ(face.rain, 0.0);
+    EXPECT_GE(y[face.particle] + face.rise, 3.0);
+  }
+  double lift = 0.0, below = 0.0;
+  for (std::size_t p = 0; p < y.size(); ++p) {
+    lift -= acting.particles.volume[p] * actions.standing_water.gradient_y[p];
+    below += acting.particles.volume[p] * std::clamp((3.0 - y[p]) / acting.particles.spacing + 0.5, 0.0, 1.0);
+  }
+  EXPECT_NEAR(lift, 9810.0 * below, 1e-6 * lift);
+}
+
+TEST(BoundaryConditions, RainFallsOnWhatAReservoirLeavesDry) {
+  Acting acting(lake_of("3 m", ", {name: storm, at: free_surface, start: 5 s, rain: {intensity: 36 mm/h}}"));
+  const Actions dry = acting.at(1.0), rain = acting.at(6.0);
+  EXPECT_EQ(dry.water.open_faces.size(), rain.water.open_faces.size());
+  double fallen = 0.0;
+  for (const seepage::OpenFace& face : rain.water.open_faces) {
+    EXPECT_EQ(face.boundary, 1u) << "the storm's";
+    fallen += face.rain;
+  }
+  EXPECT_NEAR(fallen, 1.0e-5 * (11.0 - 4.85), 0.5e-5) << "from the shore on";
+  for (const seepage::OpenFace& face : dry.water.open_faces) EXPECT_EQ(face.boundary, 2u) << "the lake's";
+}
+
+TEST(BoundaryConditions, AReservoirHoldsBeforeTheStartIfItIsInitial) {
+  Acting acting(lake_of("[[0 s, 3 m], [10 s, 4 m]]"));
+  Actions before;
+  acting.conditions.apply_initial(acting.mixture, before);
+  EXPECT_EQ(before.water.faces.size(), acting.at(0.0).water.faces.size());
+  EXPECT_EQ(before.standing_water.pressure, acting.at(0.0).standing_water.pressure);
+  Acting later({"water_boundaries=[{name: lake, at: free_surface, reservoir: {level: 3 m}}]"});
+  later.conditions.apply_initial(later.mixture, before);
+  EXPECT_TRUE(before.water.faces.empty());
+  EXPECT_TRUE(before.standing_water.pressure.empty());
+}
+
 }  // namespace
 }  // namespace slope::couple::test

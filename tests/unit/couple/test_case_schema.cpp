@@ -240,6 +240,9 @@ TEST_F(CaseSchema, EveryAlternativeIsAccepted) {
       "walls={left: friction, right: absorbing, base: friction, left_friction: 0.2, base_friction: 0.4, "
       "absorbing_depth: "
       "20 m}",
+      "water_boundaries=[{name: lake, at: free_surface, to: 12 m, initial: true, reservoir: {level: 3 m}}]",
+      "water_boundaries=[{name: lake, at: free_surface, reservoir: {level: [[0 h, 3 m], [10 h, 2 m]]}}, {name: storm, "
+      "at: free_surface, rain: {intensity: 1 mm/h}}]",
       "seismic={horizontal_coefficient: 0.1, vertical_coefficient: -5 %, start: 1 s, ramp: 2 s}",
       "initial={water: {type: uniform, pressure: 0 kPa}, stress: k0, k0_coefficient: 0.6}",
       "initial.water={type: uniform, pressure: -3 kPa}",

@@ -169,6 +169,32 @@ TEST(Tractions, PushWithTheirShareOfTheSurface) {
   EXPECT_NEAR(momentum_of(solid).y, -0.01 * 40.0 * 0.25, 1e-12);
 }
 
+TEST(SurfacePressure, OfWaterAroundABlockLiftsItByTheWeightOfTheWater) {
+  Block flying = flying_block();
+  flying.settings.gravity = 0.0;
+  for (const bool wet : {false, true}) {
+    MaterialPointMethod solid = flying.build();
+    const Particles& p = solid.particles();
+    std::vector<double> pressure(p.size()), gradient_x(p.size(), 300.0), gradient_y(p.size(), -9810.0);
+    double volume = 0.0;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      pressure[i] = 1.0e5 + 300.0 * p.x[i] - 9810.0 * p.y[i];
+      volume += p.volume[i];
+    }
+    const Momentum before = momentum_of(solid);
+    const PoreState pore = wet ? PoreState{pressure, {}} : PoreState{};
+    solid.predict(0.001, pore, {}, 0.0, {}, {pressure, gradient_x, gradient_y});
+    solid.advance(0.001, {});
+    EXPECT_NEAR(momentum_of(solid).x - before.x, -0.001 * 300.0 * volume, 1e-9);
+    EXPECT_NEAR(momentum_of(solid).y - before.y, 0.001 * 9810.0 * volume, 1e-9);
+    // the same pressure in the pores leaves the skeleton unstressed
+    double squeeze = 0.0;
+    for (std::size_t i = 0; i < p.size(); ++i) squeeze = std::min(squeeze, p.sxx[i] + p.syy[i]);
+    if (wet) EXPECT_NEAR(squeeze, 0.0, 1e-6);
+    if (!wet) EXPECT_LT(squeeze, -1.0) << "dry, it is squeezed";
+  }
+}
+
 TEST(Damping, SlowsByItsRate) {
   Block flying = flying_block();
   flying.settings.gravity = 0.0;

@@ -116,13 +116,29 @@ struct Rain {
   std::optional<double> before_start;  ///< intensity in the steady state before the start (m/s); none: the first one
 };
 
+/// Level of standing water at a time (s): y (m).
+struct LevelPoint {
+  double time = 0.0;
+  double level = 0.0;
+};
+
+/// Water that stands on the free surface. Below its level the face bears its pressure, and the soil its weight; above
+/// it the surface is a seepage face, or takes the rain that falls there.
+struct Reservoir {
+  std::vector<LevelPoint> level;  ///< times ascending, at least one; linear between them, constant before and after
+
+  /// y (m)
+  [[nodiscard]] double level_at(double time) const;
+  [[nodiscard]] double highest_level() const;
+};
+
 struct WaterBoundary {
   std::string name;
   PlaceRange where;
-  std::variant<PrescribedPressure, PrescribedFlux, Rain> condition;
+  std::variant<PrescribedPressure, PrescribedFlux, Rain, Reservoir> condition;
   double start = 0.0;    ///< time from which it holds (s)
   double ramp = 0.0;     ///< time over which it goes linearly from what is there to the prescribed value (s)
-  bool initial = false;  ///< holds in the steady state before the start too
+  bool initial = false;  ///< holds before the start too: in the steady flow, and a reservoir's weight in the stress
 };
 
 /// A pseudo-static earthquake: a body force on soil and water, in shares of their weight.

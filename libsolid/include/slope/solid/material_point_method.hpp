@@ -43,6 +43,16 @@ struct PoreState {
   std::span<const double> water_mass;  ///< n S_r rho_w V (kg/m), the water that moves with the skeleton
 };
 
+/// A pressure p on the surface of the soil, such as of water that stands on it: the traction -p n of a field that goes
+/// on inside; views of one entry per particle, empty without one. It acts by Gauss's theorem as a volume force,
+/// -sum V (p grad N + N grad p), so that its resultant is exact whatever the shape of the surface, and that a pore
+/// pressure equal to it leaves no force but buoyancy. Walls bear it as if it acted on the soil there too.
+struct SurfacePressure {
+  std::span<const double> pressure;    ///< p (Pa), positive towards the soil; zero where nothing stands
+  std::span<const double> gradient_x;  ///< dp/dx (Pa/m)
+  std::span<const double> gradient_y;  ///< dp/dy (Pa/m)
+};
+
 /// A traction on the face of one particle. It is handed on to the soil behind the face, three cells deep, so that soil
 /// under uniform load is uniform wherever its surface lies in the grid.
 struct ParticleTraction {
@@ -94,10 +104,11 @@ class MaterialPointMethod {
   /// @param tractions  each acts over one particle spacing of surface (Eq. 17)
   /// @param damping  mass-proportional viscous damping (1/s), >= 0; it slows what follows in the same step alike
   /// @param body_acceleration  of a body force on soil and water besides gravity (m/s2)
+  /// @param surface  pressure on the soil from outside
   /// @throws SolidError if a particle is outside of the grid; std::invalid_argument if there are tractions but no
   /// particle spacing in the settings
   void predict(double dt, const PoreState& pore, std::span<const ParticleTraction> tractions, double damping,
-               std::array<double, 2> body_acceleration = {0.0, 0.0});
+               std::array<double, 2> body_acceleration = {0.0, 0.0}, const SurfacePressure& surface = {});
 
   /// Lets absorbing walls yield. Until then they are fixed, so that an initial state can be found; from then on they
   /// bear what they bore in the latest step, and resist what moves them: by a dashpot of the impedance of the drained
@@ -185,7 +196,8 @@ class MaterialPointMethod {
   void sort_into_cells();
   template <class Visit>
   void for_each_cell(const Visit& visit) const;
-  void scatter(const PoreState& pore, const Eigen::Array2d& acceleration);
+  PoreState less_outside(const PoreState& pore, const SurfacePressure& surface);
+  void scatter(const PoreState& pore, const SurfacePressure& surface, const Eigen::Array2d& acceleration);
   void add_tractions(std::span<const ParticleTraction> tractions);
   void find_strip(const ParticleTraction& traction, double nx, double ny, double limit);
   void fold_walls(double dt);
@@ -213,6 +225,7 @@ class MaterialPointMethod {
 
   std::vector<ParticleWeights> weights_;
   std::vector<double> mass_;                 // of each particle, with its water (kg/m)
+  std::vector<double> excess_;               // pore pressure less the pressure on the surface (Pa)
   std::vector<std::size_t> grid_cell_of_;    // of each particle
   std::vector<std::size_t> cell_of_;         // index in cells_ of each particle
   std::vector<std::size_t> cell_start_;      // into cell_particles_, per grid cell

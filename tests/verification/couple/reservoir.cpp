@@ -1,0 +1,76 @@
+// Standing water: its weight and its pressure in the pores leave the effective stress alone.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "run_case.hpp"
+#include "slope/testing/record.hpp"
+
+namespace slope::testing {
+namespace {
+
+constexpr double unit_weight = 9810.0;
+
+// Saturated level ground, 2 m high, that lets water through, under a lake whose level rises from 2.5 m to 6.5 m.
+std::vector<std::string> flooded(const std::string& level) {
+  return {"initial.water={type: hydrostatic, water_table: 2.5 m}",
+          "coupling={skeleton: deformable, mixture_density: by_saturation}",
+          "soils.sand.strength={model: elastic}",
+          "soils.sand.hydraulic_conductivity=1e-4 m/s",
+          "water_boundaries=[{name: lake, at: free_surface, initial: true, reservoir: {level: " + level + "}}]",
+          "stop.time=60 s",
+          "output.history_interval=10 s"};
+}
+
+TEST(Reservoir, LeavesTheEffectiveStressOfSubmergedGroundAlone) {
+  couple::Simulation simulation = start_case("ground.yaml", flooded("[[5 s, 2.5 m], [45 s, 6.5 m]]"));
+  const couple::ParticleTable before = simulation.particles();
+  run(simulation, [](const couple::ParticleTable&) {});
+  const couple::ParticleTable after = simulation.particles();
+  const double added = unit_weight * 4.0;
+  double stress = 0.0, pressure = 0.0;
+  for (std::size_t p = 0; p < before.position.size(); ++p) {
+    pressure = std::max(pressure, std::abs(after.pore_pressure[p] - before.pore_pressure[p] - added));
+    if (before.position[p][1] > 1.75) continue;
+    stress = std::max({stress, std::abs(after.stress_effective[p].yy - before.stress_effective[p].yy),
+                       std::abs(after.stress_effective[p].xx - before.stress_effective[p].xx)});
+  }
+  EXPECT_TRUE(record("reservoir-effective-stress",
+                     "Lake rising by 4 m on submerged ground: change of the effective stress below the topmost cell, "
+                     "over the added pressure",
+                     at_most(0.01), stress / added, "%"));
+  EXPECT_TRUE(record("reservoir-pore-pressure", "- pore pressure 15 s later, error over the added pressure",
+                     at_most(0.01), pressure / added, "%"));
+}
+
+TEST(Reservoir, WeighsInTheInitialStress) {
+  double stress = 0.0;
+  const couple::Simulation shallow = start_case("ground.yaml", flooded("2.5 m"));
+  auto deeper = flooded("12.5 m");
+  deeper[0] = "initial.water={type: hydrostatic, water_table: 12.5 m}";
+  const couple::Simulation deep = start_case("ground.yaml", deeper);
+  const couple::ParticleTable a = shallow.particles(), b = deep.particles();
+  for (std::size_t p = 0; p < a.position.size(); ++p) {
+    stress = std::max(stress, std::abs(a.stress_effective[p].yy - b.stress_effective[p].yy));
+    EXPECT_NEAR(b.pore_pressure[p] - a.pore_pressure[p], 10.0 * unit_weight, 1.0);
+  }
+  EXPECT_LT(stress, 1e-4 * 10.0 * unit_weight);
+}
+
+TEST(Reservoir, KeepsASubmergedBlockStill) {
+  couple::Simulation simulation = start_case("ground.yaml", [] {
+    auto overrides = flooded("[[5 s, 2.5 m], [45 s, 6.5 m]]");
+    overrides.emplace_back(
+        "geometry.0.polygon=[[0 m, 0 m], [4 m, 0 m], [4 m, 0.5 m], [3 m, 0.5 m], [3 m, 1.5 m], "
+        "[1.5 m, 1.5 m], [1 m, 0.5 m], [0 m, 0.5 m]]");
+    return overrides;
+  }());
+  run(simulation, [](const couple::ParticleTable&) {});
+  EXPECT_TRUE(record("reservoir-block", "- block on it, largest displacement", at_most(0.1),
+                     1e3 * simulation.summary().largest_displacement, "mm"));
+}
+
+}  // namespace
+}  // namespace slope::testing
