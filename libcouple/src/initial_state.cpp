@@ -92,10 +92,8 @@ void find_steady_flow(Mixture& mixture, BoundaryConditions& conditions) {
   conditions.apply_initial(mixture, actions);
   const double tolerance = 1.0e-3;  // Pa
   double step = 1.0;                // s; doubled while Newton's method converges
-  // the permeability lags behind: from the water table up an error may grow by exp(alpha L) before it fades
-  const int iterations = 100;
   for (int k = 0; k < 400; ++k) {
-    const auto report = mixture.water.advance(step, mixture.skeleton(), actions.water, tolerance, iterations);
+    const auto report = mixture.water.advance(step, mixture.skeleton(), actions.water, tolerance);
     if (!report.converged) {
       step *= 0.25;
     } else if (report.largest_change < tolerance && step > 1.0e8) {
