@@ -94,6 +94,11 @@ const Document* schema_of_entry(const Document& schema, const Document& document
   if (const Document* items = schema.find("items")) return items;
   if (const Document* properties = schema.find("properties")) return properties->find(entry.key);
   if (const Document* others = schema.find("additionalProperties")) return others;
+  if (const Document* alternatives = schema.find("anyOf")) {
+    const auto list = std::ranges::find_if(alternatives->children,
+                                           [](const Document& branch) { return branch.find("items") != nullptr; });
+    return list != alternatives->children.end() ? list->find("items") : nullptr;
+  }
   for (const Document& branch : schema.find("oneOf")->children) {
     if (schema_violations(branch, document).empty()) return branch.find("properties")->find(entry.key);
   }
