@@ -233,9 +233,12 @@ void from_text(const Input& input, const WaterBoundaryText& text, WaterBoundary&
   }
   if (text.reservoir) {
     boundary.condition = *text.reservoir;
-    for (const char* key : {"applied_to", "start", "ramp"}) {
-      if (input.has(key)) input.at(key).problem("a reservoir has its level and no more; remove this key");
-    }
+    const auto refuse = [&](const char* key) {
+      input.at(key).problem("a reservoir has its level and no more; remove this key");
+    };
+    if (text.at_face) refuse("applied_to");
+    if (boundary.start > 0.0) refuse("start");
+    if (boundary.ramp > 0.0) refuse("ramp");
     return;
   }
   if (text.flux) {

@@ -79,6 +79,7 @@ struct Simulation::State {
     for (double t = input.output.snapshot_interval; t < input.stop.time; t += input.output.snapshot_interval) {
       snapshot_times.push_back(t);
     }
+    std::erase_if(snapshot_times, [](double t) { return t <= 0.0; });  // the start is always there
     std::ranges::sort(snapshot_times);
     result.end_reason = "running";
     result.onset_criterion = input.onset_displacement;
