@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "moved_beyond.hpp"
 #include "slope/seepage/neighbours.hpp"
 
 namespace slope::seepage {
@@ -54,16 +55,7 @@ std::array<double, 3> with_images(double at, double low_wall, double high_wall) 
 }  // namespace
 
 bool FreeSurface::update(const Skeleton& skeleton) {
-  const std::size_t n = skeleton.size();
-  if (x_.size() == n) {
-    const double limit = follow_distance * spacing_;
-    double farthest = 0.0;
-    for (std::size_t p = 0; p < n; ++p) {
-      const double dx = skeleton.x[p] - x_[p], dy = skeleton.y[p] - y_[p];
-      farthest = std::max(farthest, dx * dx + dy * dy);
-    }
-    if (farthest <= limit * limit) return false;
-  }
+  if (x_.size() == skeleton.size() && !moved_beyond(follow_distance * spacing_, skeleton, x_, y_)) return false;
   x_.assign(skeleton.x.begin(), skeleton.x.end());
   y_.assign(skeleton.y.begin(), skeleton.y.end());
   find_pieces(skeleton);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "moment_correction.hpp"
+#include "moved_beyond.hpp"
 
 namespace slope::seepage {
 
@@ -24,13 +25,7 @@ HeadOperator::HeadOperator(double spacing, double smoothing_ratio, const MirrorW
 bool HeadOperator::update(const Skeleton& skeleton) {
   const std::size_t n = skeleton.size();
   if (x_weighted_.size() == n) {
-    const double limit = follow_distance * spacing_;
-    double farthest = 0.0;
-    for (std::size_t p = 0; p < n; ++p) {
-      const double dx = skeleton.x[p] - x_weighted_[p], dy = skeleton.y[p] - y_weighted_[p];
-      farthest = std::max(farthest, dx * dx + dy * dy);
-    }
-    if (farthest <= limit * limit) return false;
+    if (!moved_beyond(follow_distance * spacing_, skeleton, x_weighted_, y_weighted_)) return false;
   } else {
     share_.resize(n);
     for (std::size_t p = 0; p < n; ++p) share_[p] = skeleton.volume[p] / (spacing_ * spacing_);
