@@ -8,4 +8,8 @@ double ExponentialPermeability::evaluate(double suction_head, double /*saturatio
   return suction_head <= 0.0 ? 1.0 : std::exp(-alpha * suction_head);
 }
 
+double ExponentialPermeability::slope(double suction_head, const Saturation& /*saturation*/) const {
+  return suction_head <= 0.0 ? 0.0 : -alpha * std::exp(-alpha * suction_head);
+}
+
 }  // namespace slope::seepage

@@ -9,4 +9,12 @@ double RelativePermeability::evaluate(double suction_head, double saturation) co
   return std::max(value, floor);
 }
 
+double RelativePermeability::slope(double suction_head, const Saturation& saturation) const {
+  return std::visit(
+      [&](const auto& l) {
+        return l.evaluate(suction_head, saturation.saturation) > floor ? l.slope(suction_head, saturation) : 0.0;
+      },
+      law);
+}
+
 }  // namespace slope::seepage

@@ -33,7 +33,9 @@ PoreFlow::PoreFlow(std::vector<Soil> soils, const Water& water, std::span<const 
 }
 
 void PoreFlow::follow(const Skeleton& skeleton) {
-  pattern_known_ = !operator_.update(skeleton) && pattern_known_;
+  const bool moved = operator_.update(skeleton);
+  pattern_known_ = !moved && pattern_known_;
+  ordering_known_ = !moved && ordering_known_;
 }
 
 // S_r, dS_r/dP_w, k k_rw and S_r P_w at the present pressure (paper, Eqs. 8-10).
@@ -86,6 +88,22 @@ double PoreFlow::face_conductance(const FacePressure& face) const {
   return mean * face.area / face.distance;
 }
 
+// d(k k_rw)/dP_w of a particle's soil at a pressure (m/s/Pa), >= 0.
+double PoreFlow::permeability_slope(std::size_t p, double pressure) const {
+  const Soil& soil = soils_[soil_[p]];
+  const double suction_head = -pressure / water_.unit_weight();
+  const Saturation saturation = std::visit([&](const auto& law) { return law.evaluate(suction_head); }, soil.retention);
+  return -soil.hydraulic_conductivity * soil.relative_permeability.slope(suction_head, saturation) /
+         water_.unit_weight();
+}
+
+// How the conductance of a face changes with the particle's pressure (m/s/Pa).
+double PoreFlow::face_conductance_slope(const FacePressure& face) const {
+  const double pressure = pressure_[face.particle];
+  const double middle = permeability_slope(face.particle, 0.5 * (face.pressure + pressure));
+  return (2.0 * middle + permeability_slope(face.particle, pressure)) / 6.0 * face.area / face.distance;
+}
+
 double PoreFlow::face_inflow(const FacePressure& face, double head) const {
   const double face_head = face.pressure / water_.unit_weight() + elevation_[face.particle] + face.rise;
   return face_conductance(face) * (face_head - head);
@@ -96,20 +114,27 @@ void PoreFlow::find_open_face_laws(const Boundary& boundary) {
   open_laws_.clear();
   open_parts_.clear();
   for (const OpenFace& face : boundary.open_faces) {
-    const auto held_at = [&](double pressure) {
-      return FacePressure{face.particle, face.boundary, pressure, face.rise, face.distance, face.area};
-    };
     const double height = elevation_[face.particle] + face.rise;
     OpenFaceLaw law;
     law.rain = face.rain;
-    law.wet_conductance = face_conductance(held_at(face.ponding_pressure));
+    law.wet_conductance = face_conductance(held_at(face, face.ponding_pressure));
     law.wet_head = face.ponding_pressure / water_.unit_weight() + height;
     if (face.rain < 0.0) {
-      law.dry_conductance = face_conductance(held_at(face.lowest_pressure));
+      law.dry_conductance = face_conductance(held_at(face, face.lowest_pressure));
       law.dry_head = face.lowest_pressure / water_.unit_weight() + height;
     }
     open_laws_.push_back(law);
     open_parts_.push_back(law.part_at(head_[face.particle]));
+  }
+}
+
+// What drains let out, linear about the present head: the conductivity itself, and its slope.
+void PoreFlow::find_drain_laws(const Boundary& boundary) {
+  drain_laws_.clear();
+  for (const Drain& drain : boundary.drains) {
+    const std::size_t p = drain.particle;
+    drain_laws_.push_back({drain.width * conductivity_[p],
+                           drain.width * permeability_slope(p, pressure_[p]) * water_.unit_weight(), head_[p]});
   }
 }
 
@@ -134,19 +159,23 @@ bool PoreFlow::switch_open_faces(const Boundary& boundary, double time_step, dou
 
 void PoreFlow::finish(double time_step, const Skeleton& skeleton, const Boundary& boundary) {
   const double inverse_weight = 1.0 / water_.unit_weight();
-  // the flow of the step, at the conductivities and positions for which it was solved
   for (std::size_t p = 0; p < pressure_.size(); ++p) {
     head_[p] += change_[p] * inverse_weight;
     pressure_[p] += change_[p];
   }
+  conclude(time_step, skeleton, boundary);
+}
+
+// Books the flow of the step, at the conductivities and positions for which it was solved.
+void PoreFlow::conclude(double time_step, const Skeleton& skeleton, const Boundary& boundary) {
   operator_.apply(head_, outflow_);
   take_in_boundary_flow(boundary);
   book(time_step, skeleton, boundary);
 }
 
-// Takes what comes in by faces and inflows off the particles' outflow, and notes it by boundary. Of the open faces that
-// is what their laws say at the present head: were the step solved for another part of a law, the particle's defect has
-// the difference.
+// Takes what comes in by faces, inflows and drains off the particles' outflow, and notes it by boundary. Of the open
+// faces that is what their laws say at the present head: were the step solved for another part of a law, the particle's
+// defect has the difference.
 void PoreFlow::take_in_boundary_flow(const Boundary& boundary) {
   inflow_rate_.assign(boundary.count, 0.0);
   for (const FacePressure& face : boundary.faces) {
@@ -157,6 +186,12 @@ void PoreFlow::take_in_boundary_flow(const Boundary& boundary) {
   for (const Inflow& inflow : boundary.inflows) {
     outflow_[inflow.particle] -= inflow.rate;
     inflow_rate_[inflow.boundary] += inflow.rate;
+  }
+  for (std::size_t k = 0; k < drain_laws_.size(); ++k) {
+    const Drain& drain = boundary.drains[k];
+    const double rate = drain_laws_[k].outflow(head_[drain.particle]);
+    outflow_[drain.particle] += rate;
+    inflow_rate_[drain.boundary] -= rate;
   }
   air_flow_ = {};
   for (std::size_t k = 0; k < open_laws_.size(); ++k) {
@@ -199,6 +234,7 @@ void PoreFlow::advance_explicitly(double time_step, const Skeleton& skeleton, st
   two_pass_->divergence(vx, vy, work_);
   for (std::size_t p = 0; p < n; ++p) outflow_[p] *= skeleton.volume[p];
   find_open_face_laws(boundary);
+  find_drain_laws(boundary);
   take_in_boundary_flow(boundary);
   for (std::size_t p = 0; p < n; ++p) {
     const double storage = skeleton.porosity[p] * (saturation_[p] / water_.bulk_modulus + capacity_[p]);

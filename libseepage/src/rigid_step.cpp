@@ -7,9 +7,19 @@
 
 namespace slope::seepage {
 
-// matrix_ = storage + t L / gamma_w with the rows and columns of held particles taken out. The pattern is that of the
-// neighbours, filled in place while they stay the same.
-void PoreFlow::assemble(double flow_scale) {
+namespace {
+
+// Newton's method needs a first guess whose wetting fronts are about right; with lagged permeability it finds one from
+// everywhere.
+constexpr int lagged_iterations = 3;
+constexpr double least_share = 1.0 / 64.0;  // of a step of Newton's method that makes the imbalance larger
+
+}  // namespace
+
+// matrix_ = storage + t L / gamma_w, and unless the permeability is lagged what changes with it, with the rows and
+// columns of held particles taken out. The pattern is that of the neighbours, filled in place while they stay the same.
+void PoreFlow::assemble(double time_step, bool lagged) {
+  const double flow_scale = time_step / water_.unit_weight();
   const Neighbours& neighbours = operator_.neighbours();
   const std::size_t n = pressure_.size();
   if (!pattern_known_) {
@@ -37,25 +47,111 @@ void PoreFlow::assemble(double flow_scale) {
   const auto* inner = matrix_.innerIndexPtr();
   std::size_t k = 0, s = 0;
   for (std::size_t p = 0; p < n; ++p) {
+    const double permeability = lagged || is_held_[p] != 0 ? 0.0 : time_step * permeability_slope(p, pressure_[p]);
     const std::size_t end = k + neighbours.of(p).size() + 1;
+    double own = storage_[p] + flow_scale * operator_.diagonal()[p];
+    double* diagonal = nullptr;
     for (; k < end; ++k) {
       const auto q = static_cast<std::size_t>(inner[k]);
       if (q == p) {
-        value[k] = storage_[p] + flow_scale * operator_.diagonal()[p];
-      } else {
-        value[k] = is_held_[p] != 0 || is_held_[q] != 0 ? 0.0 : -flow_scale * conductance[s];
-        ++s;
+        diagonal = &value[k];
+        continue;
       }
+      // what p's pressure changes in the flow from p to q
+      const double more =
+          permeability > 0.0 ? permeability * operator_.conductance_slope(p, s) * (head_[p] - head_[q]) : 0.0;
+      value[k] = is_held_[p] != 0 || is_held_[q] != 0 ? 0.0 : -flow_scale * conductance[s] - more;
+      own += more;
+      ++s;
     }
+    *diagonal = own;
   }
-  if (!pattern_known_) factorisation_.analyzePattern(matrix_);
   pattern_known_ = true;
+}
+
+// The water that each particle lacks at the present pressure, right_side_ (m2), and storage_ of the step's equations
+// with the conductances of the faces. @return the norm of what is lacking.
+double PoreFlow::find_imbalance(double time_step, const Skeleton& skeleton, const Boundary& boundary) {
+  const double flow_scale = time_step / water_.unit_weight();
+  find_head(skeleton);
+  operator_.set_conductivity(conductivity_);
+  operator_.apply(head_, outflow_);
+  for (std::size_t p = 0; p < pressure_.size(); ++p) {
+    storage_[p] = skeleton.volume[p] * skeleton.porosity[p] *
+                  (saturation_[p] / water_.bulk_modulus + capacity_[p] * (1.0 + pressure_[p] / water_.bulk_modulus));
+    right_side_[p] = content_[p] + defect_[p] - water_of(p, skeleton) - time_step * outflow_[p];
+  }
+  for (const FacePressure& face : boundary.faces) {
+    storage_[face.particle] += flow_scale * face_conductance(face);
+    right_side_[face.particle] += time_step * face_inflow(face, head_[face.particle]);
+  }
+  for (const Inflow& inflow : boundary.inflows) right_side_[inflow.particle] += time_step * inflow.rate;
+  find_drain_laws(boundary);
+  for (std::size_t k = 0; k < drain_laws_.size(); ++k) {
+    storage_[boundary.drains[k].particle] += flow_scale * drain_laws_[k].slope;
+    right_side_[boundary.drains[k].particle] -= time_step * drain_laws_[k].rate;
+  }
+  find_open_face_laws(boundary);
+  for (std::size_t k = 0; k < open_laws_.size(); ++k) {
+    const std::size_t p = boundary.open_faces[k].particle;
+    storage_[p] += flow_scale * open_laws_[k].conductance(open_parts_[k]);
+    right_side_[p] += time_step * open_laws_[k].inflow(open_parts_[k], head_[p]);
+  }
+  double sum = 0.0;
+  for (std::size_t p = 0; p < pressure_.size(); ++p) sum += is_held_[p] != 0 ? 0.0 : right_side_[p] * right_side_[p];
+  return std::sqrt(sum);
+}
+
+// Adds to storage_ what the pressure of their particles changes in the conductances of faces.
+void PoreFlow::add_face_slopes(double time_step, const Boundary& boundary) {
+  const auto add = [&](const FacePressure& face) {
+    const double face_head = face.pressure / water_.unit_weight() + elevation_[face.particle] + face.rise;
+    storage_[face.particle] -= time_step * face_conductance_slope(face) * (face_head - head_[face.particle]);
+  };
+  for (const FacePressure& face : boundary.faces) add(face);
+  for (std::size_t k = 0; k < open_laws_.size(); ++k) {
+    const OpenFace& face = boundary.open_faces[k];
+    if (open_parts_[k] == OpenFaceLaw::Part::wet) add(held_at(face, face.ponding_pressure));
+    if (open_parts_[k] == OpenFaceLaw::Part::dry) add(held_at(face, face.lowest_pressure));
+  }
+}
+
+// Solves for the pressures' next step, work_ (Pa). @return whether there is one.
+bool PoreFlow::find_pressure_step(double time_step, const Boundary& boundary, bool lagged) {
+  const std::size_t n = pressure_.size();
+  const double flow_scale = time_step / water_.unit_weight();
+  if (!lagged) add_face_slopes(time_step, boundary);
+  std::fill(work2_.begin(), work2_.end(), 0.0);
+  for (const HeldPressure& held : boundary.held) work2_[held.particle] = held.pressure - pressure_[held.particle];
+  operator_.apply(work2_, outflow_);
+  Eigen::VectorXd b(static_cast<Eigen::Index>(n));
+  for (std::size_t p = 0; p < n; ++p) {
+    b[static_cast<Eigen::Index>(p)] = is_held_[p] != 0
+                                          ? (storage_[p] + flow_scale * operator_.diagonal()[p]) * work2_[p]
+                                          : right_side_[p] - flow_scale * outflow_[p];
+  }
+  const bool new_pattern = !pattern_known_;
+  assemble(time_step, lagged);
+  Eigen::VectorXd solution;
+  if (lagged) {
+    if (new_pattern) lagged_factorisation_.analyzePattern(matrix_);
+    lagged_factorisation_.factorize(matrix_);
+    if (lagged_factorisation_.info() != Eigen::Success) return false;
+    solution = lagged_factorisation_.solve(b);
+  } else {
+    if (!ordering_known_) factorisation_.analyzePattern(matrix_);
+    ordering_known_ = true;
+    factorisation_.factorize(matrix_);
+    if (factorisation_.info() != Eigen::Success) return false;
+    solution = factorisation_.solve(b);
+  }
+  std::copy(solution.begin(), solution.end(), work_.begin());
+  return solution.allFinite();
 }
 
 SolveReport PoreFlow::advance(double time_step, const Skeleton& skeleton, const Boundary& boundary,
                               double tolerance_pressure, int maximum_iterations) {
   const std::size_t n = pressure_.size();
-  const double flow_scale = time_step / water_.unit_weight();
   follow(skeleton);
   const std::vector<double> start = pressure_;
   std::fill(is_held_.begin(), is_held_.end(), std::uint8_t{0});
@@ -63,61 +159,34 @@ SolveReport PoreFlow::advance(double time_step, const Skeleton& skeleton, const 
 
   SolveReport report;
   report.converged = false;
-  Eigen::VectorXd b(static_cast<Eigen::Index>(n));
+  double imbalance = find_imbalance(time_step, skeleton, boundary);
   while (!report.converged && report.iterations < maximum_iterations) {
-    find_head(skeleton);
-    operator_.set_conductivity(conductivity_);
-    operator_.apply(head_, outflow_);
-    for (std::size_t p = 0; p < n; ++p) {
-      storage_[p] = skeleton.volume[p] * skeleton.porosity[p] *
-                    (saturation_[p] / water_.bulk_modulus + capacity_[p] * (1.0 + pressure_[p] / water_.bulk_modulus));
-      right_side_[p] = content_[p] + defect_[p] - water_of(p, skeleton) - time_step * outflow_[p];
-    }
-    for (const FacePressure& face : boundary.faces) {
-      storage_[face.particle] += flow_scale * face_conductance(face);
-      right_side_[face.particle] += time_step * face_inflow(face, head_[face.particle]);
-    }
-    for (const Inflow& inflow : boundary.inflows) right_side_[inflow.particle] += time_step * inflow.rate;
-    find_open_face_laws(boundary);
-    for (std::size_t k = 0; k < open_laws_.size(); ++k) {
-      const std::size_t p = boundary.open_faces[k].particle;
-      storage_[p] += flow_scale * open_laws_[k].conductance(open_parts_[k]);
-      right_side_[p] += time_step * open_laws_[k].inflow(open_parts_[k], head_[p]);
-    }
-    std::fill(change_.begin(), change_.end(), 0.0);
-    for (const HeldPressure& held : boundary.held) change_[held.particle] = held.pressure - pressure_[held.particle];
-    operator_.apply(change_, work_);
-    assemble(flow_scale);
-    for (std::size_t p = 0; p < n; ++p) {
-      b[static_cast<Eigen::Index>(p)] = is_held_[p] != 0
-                                            ? (storage_[p] + flow_scale * operator_.diagonal()[p]) * change_[p]
-                                            : right_side_[p] - flow_scale * work_[p];
-    }
-    factorisation_.factorize(matrix_);
+    const bool lagged = report.iterations < lagged_iterations;
+    if (!find_pressure_step(time_step, boundary, lagged)) break;
     ++report.iterations;
-    if (factorisation_.info() != Eigen::Success) break;
-    const Eigen::VectorXd solution = factorisation_.solve(b);
     double largest = 0.0;
-    for (std::size_t p = 0; p < n; ++p) {
-      const double step = solution[static_cast<Eigen::Index>(p)];
-      change_[p] = pressure_[p] + step - start[p];
-      largest = std::max(largest, std::abs(step));
-    }
-    if (!std::isfinite(largest)) break;
+    for (std::size_t p = 0; p < n; ++p) largest = std::max(largest, std::abs(work_[p]));
     report.converged = largest <= tolerance_pressure;
-    if (!report.converged) {
-      for (std::size_t p = 0; p < n; ++p) pressure_[p] = start[p] + change_[p];
+    change_ = pressure_;
+    for (double share = 1.0;; share *= 0.5) {
+      for (std::size_t p = 0; p < n; ++p) pressure_[p] = change_[p] + share * work_[p];
       evaluate_soil();
+      const double before = imbalance;
+      imbalance = find_imbalance(time_step, skeleton, boundary);
+      if (lagged || report.converged || imbalance < before || share <= least_share) break;
+      imbalance = before;
     }
   }
-  pressure_ = start;
   if (!report.converged) {
+    pressure_ = start;
     evaluate_soil();
     return report;
   }
-  for (std::size_t p = 0; p < n; ++p) report.largest_change = std::max(report.largest_change, std::abs(change_[p]));
-  find_head(skeleton);
-  finish(time_step, skeleton, boundary);
+  for (std::size_t p = 0; p < n; ++p) {
+    change_[p] = pressure_[p] - start[p];
+    report.largest_change = std::max(report.largest_change, std::abs(change_[p]));
+  }
+  conclude(time_step, skeleton, boundary);
   return report;
 }
 

@@ -64,5 +64,40 @@ TEST(RelativePermeabilities, HoldTheirFloorAndAreOneWhenSaturated) {
   }
 }
 
+struct Pores {
+  Retention retention;
+  RelativePermeability permeability;
+
+  [[nodiscard]] Saturation saturation(double suction_head) const {
+    return std::visit([&](const auto& law) { return law.evaluate(suction_head); }, retention);
+  }
+  [[nodiscard]] double at(double suction_head) const {
+    return permeability.evaluate(suction_head, saturation(suction_head).saturation);
+  }
+};
+
+TEST(RelativePermeabilities, HaveTheSlopeOfTheirCurves) {
+  const SaturationRange range{0.1, 0.95};
+  const VanGenuchten sand{.alpha = 3.0, .n = 2.7, .range = range}, clay{.alpha = 0.8, .n = 1.09, .range = range};
+  const double floor = 1.0e-9;
+  for (const Pores& pores :
+       {Pores{sand, {HillelPower{.exponent = 3.5}, floor}}, Pores{sand, {VanGenuchtenMualem{2.7, range}, floor}},
+        Pores{clay, {VanGenuchtenMualem{1.09, range}, floor}}, Pores{sand, {ExponentialPermeability{2.0}, floor}},
+        Pores{LiakopoulosRetention{}, {LiakopoulosPermeability{}, floor}},
+        Pores{LiakopoulosRetention{}, {LiakopoulosPermeability{2.207, 1.0121}, floor}}}) {
+    for (double h = 0.05; h < 20.0; h *= 1.01) {
+      const double dh = 1.0e-5 * h, k = pores.at(h);
+      const double difference = (pores.at(h + dh) - pores.at(h - dh)) / (2.0 * dh);
+      if (pores.at(h + dh) <= floor) continue;  // the kink at the floor
+      EXPECT_NEAR(pores.permeability.slope(h, pores.saturation(h)), difference, 1e-11 * k / dh - 1e-5 * difference)
+          << "suction head " << h << " m, law " << pores.permeability.law.index();
+    }
+    for (const double h : {0.0, -2.0}) EXPECT_EQ(pores.permeability.slope(h, pores.saturation(h)), 0.0);
+    EXPECT_EQ(pores.permeability.slope(1.0e6, {range.residual, 0.0}), 0.0);
+  }
+  const Pores floored{LiakopoulosRetention{}, {LiakopoulosPermeability{}, 1.0e-4}};
+  EXPECT_EQ(floored.permeability.slope(2.2, floored.saturation(2.2)), 0.0) << "at the floor nothing changes";
+}
+
 }  // namespace
 }  // namespace slope::seepage

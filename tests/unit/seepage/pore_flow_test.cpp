@@ -112,6 +112,39 @@ TEST_F(Column, UnitGradientFlowsWithTheConductivity) {
   for (std::size_t p = 0; p < particles.size(); ++p) EXPECT_NEAR(wy[p], -1.0e-5, 1e-9);
 }
 
+TEST_F(Column, DrainsFreelyUnderASteadyRain) {
+  const double rain = 1.0e-6;  // m/s, a tenth of the conductivity
+  Boundary drained;
+  drained.count = 2;
+  for (std::uint32_t p = 0; p < columns; ++p) {
+    drained.inflows.push_back({(rows - 1) * columns + p, 0, rain * spacing});
+    drained.drains.push_back({p, 1, spacing});
+  }
+  PoreFlow water_flow = flow();
+  const double start = water_flow.stored_water();
+  for (double step = 1.0; step < 1.0e9; step *= 2.0) {
+    ASSERT_TRUE(water_flow.advance(step, particles.skeleton(), drained, 1.0e-4).converged) << step;
+  }
+  EXPECT_NEAR(water_flow.inflow_rate()[1], -rain * columns * spacing, 1e-6 * rain);
+  // k k_rw = rain everywhere: S_r^2 = 0.1
+  for (const double saturation : water_flow.saturation()) EXPECT_NEAR(saturation, std::sqrt(0.1), 1e-5);
+  const double gain = water_flow.stored_water() - start;
+  const double inflow = water_flow.cumulative_inflow()[0] + water_flow.cumulative_inflow()[1];
+  EXPECT_NEAR(gain + water_flow.unexplained_water(), inflow, 1e-12 * water_flow.cumulative_inflow()[0]);
+}
+
+TEST_F(Column, DrainsAsFastAsItConductsWhereItIsSaturated) {
+  PoreFlow water_flow = flow();
+  Boundary drained = face_top();  // zero pressure at the ground
+  drained.count = 2;
+  for (std::uint32_t p = 0; p < columns; ++p) drained.drains.push_back({p, 1, spacing});
+  for (double step = 1.0; step < 1.0e9; step *= 2.0) {
+    ASSERT_TRUE(water_flow.advance(step, particles.skeleton(), drained, 1.0e-3).converged) << step;
+  }
+  EXPECT_NEAR(water_flow.inflow_rate()[1], -1.0e-5 * columns * spacing, 1e-12);
+  for (const double pressure : water_flow.pressure()) EXPECT_NEAR(pressure, 0.0, 1.0);
+}
+
 TEST_F(Column, LinearisedStepsConvergeToTheNonlinearOnes) {
   const double end = 4.0;
   const int coarse = 50;
@@ -143,14 +176,20 @@ TEST_F(Column, LinearisedStepsConvergeToTheNonlinearOnes) {
 
 TEST_F(Column, LinearisedStepsBookEveryDrop) {
   PoreFlow water_flow = flow();
+  Boundary boundary = held_top();
+  boundary.count = 2;
+  for (std::uint32_t p = 0; p < columns; ++p) boundary.drains.push_back({p, 1, spacing});
   const double start = water_flow.stored_water();
   const std::vector<double> strain(particles.size(), 0.0);
   for (int step = 0; step < 100; ++step) {
-    water_flow.solve(0.05, particles.skeleton(), strain, held_top(), RigidSkeleton{}, 1e-2);
-    water_flow.finish(0.05, particles.skeleton(), held_top());
+    water_flow.solve(0.05, particles.skeleton(), strain, boundary, RigidSkeleton{}, 1e-2);
+    water_flow.finish(0.05, particles.skeleton(), boundary);
   }
   const double gain = water_flow.stored_water() - start;
-  EXPECT_NEAR(gain + water_flow.unexplained_water(), water_flow.cumulative_inflow()[0], 1e-12 * start);
+  EXPECT_GT(water_flow.cumulative_inflow()[0], 0.0);
+  EXPECT_LT(water_flow.cumulative_inflow()[1], 0.0);
+  EXPECT_NEAR(gain + water_flow.unexplained_water(),
+              water_flow.cumulative_inflow()[0] + water_flow.cumulative_inflow()[1], 1e-12 * start);
 }
 
 TEST_F(Column, CompressionOfTheSkeletonSqueezesWaterOut) {

@@ -25,6 +25,11 @@ struct FacePressure {
   double area = 0.0;      ///< of the face per metre of thickness (m), > 0
 };
 
+/// An open face while its pressure is held (Pa).
+[[nodiscard]] inline FacePressure held_at(const OpenFace& face, double pressure) {
+  return {face.particle, face.boundary, pressure, face.rise, face.distance, face.area};
+}
+
 /// Water that enters a particle (m2/s per metre of thickness), positive inwards.
 struct Inflow {
   std::uint32_t particle = 0;
@@ -32,13 +37,22 @@ struct Inflow {
   double rate = 0.0;
 };
 
+/// Water leaves a particle downwards by its own weight, with a head that falls by one metre per metre (free drainage):
+/// the soil goes on below as it is here, and the water table is far down.
+struct Drain {
+  std::uint32_t particle = 0;
+  std::uint32_t boundary = 0;
+  double width = 0.0;  ///< horizontal (m), > 0
+};
+
 /// What acts on the pore water during one step. A particle appears at most once in `held`, and then not in
-/// `open_faces`.
+/// `open_faces` or `drains`.
 struct Boundary {
   std::vector<HeldPressure> held;
   std::vector<FacePressure> faces;
   std::vector<Inflow> inflows;
   std::vector<OpenFace> open_faces;
+  std::vector<Drain> drains;
   std::size_t count = 0;  ///< number of boundaries that water is counted for
 };
 

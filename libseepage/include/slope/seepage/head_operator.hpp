@@ -42,6 +42,12 @@ class HeadOperator {
   /// Conductance of each pair (m/s), in the order of neighbours().index.
   [[nodiscard]] std::span<const double> conductance() const { return conductance_; }
 
+  /// How the conductance of the pair that stands in place s of neighbours().index changes with the conductivity of its
+  /// first particle p (m/s per m/s).
+  [[nodiscard]] double conductance_slope(std::size_t p, std::size_t s) const {
+    return factor_[s] * (1.0 + 2.0 * root_conductivity_[neighbours_.index[s]] / root_conductivity_[p]) / 6.0;
+  }
+
   /// Gradient (per metre) of a particle field, exact for linear fields; mirror images continue it evenly over walls.
   void gradient(std::span<const double> field, const Skeleton& skeleton, std::span<double> dx,
                 std::span<double> dy) const;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "slope/seepage/saturation.hpp"
+
 namespace slope::seepage {
 
 /// Power of the degree of saturation (Hillel 1971); paper, Eq. 10: k_rw = S_r^L.
@@ -8,6 +10,8 @@ struct HillelPower {
 
   /// @param suction_head h_s (m), not used; @param saturation S_r (-), in [0, 1]; @return k_rw (-), before the floor.
   [[nodiscard]] double evaluate(double suction_head, double saturation) const;
+  /// dk_rw/dh_s (1/m), <= 0, before the floor; `saturation` with its slope at h_s.
+  [[nodiscard]] double slope(double suction_head, const Saturation& saturation) const;
 };
 
 }  // namespace slope::seepage

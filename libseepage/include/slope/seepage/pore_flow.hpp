@@ -2,6 +2,7 @@
 
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
+#include <Eigen/SparseLU>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -80,8 +81,8 @@ class PoreFlow {
   /// @param skeleton  volumes and porosities after the step
   void finish(double time_step, const Skeleton& skeleton, const Boundary& boundary);
 
-  /// A whole implicit step with a rigid skeleton (backward Euler, Newton's method with lagged permeability, assembled
-  /// matrix). If it does not converge, nothing has changed.
+  /// A whole implicit step with a rigid skeleton (backward Euler, assembled matrix): Newton's method, at first with
+  /// lagged permeability. If it does not converge, nothing has changed.
   SolveReport advance(double time_step, const Skeleton& skeleton, const Boundary& boundary, double tolerance_pressure,
                       int maximum_iterations = 20);
 
@@ -119,16 +120,37 @@ class PoreFlow {
   // At most so many times a step is solved until its open faces stay with their parts of the law.
   static constexpr int most_switches = 8;
 
+  // A flow through a face, and how it changes with the particle's pressure.
+  struct FaceConductance {
+    double value = 0.0;  // (m/s)
+    double slope = 0.0;  // (m/s/Pa)
+  };
+  // Outflow of a drain, linear about the head at which it was found.
+  struct DrainLaw {
+    double rate = 0.0;   // (m2/s)
+    double slope = 0.0;  // (m/s), >= 0
+    double head = 0.0;   // (m)
+
+    [[nodiscard]] double outflow(double at_head) const { return std::max(0.0, rate + slope * (at_head - head)); }
+  };
+
   void evaluate_soil();
   void find_head(const Skeleton& skeleton);
   [[nodiscard]] double water_of(std::size_t p, const Skeleton& skeleton) const;
+  [[nodiscard]] double permeability_slope(std::size_t p, double pressure) const;
   [[nodiscard]] double face_conductance(const FacePressure& face) const;
+  [[nodiscard]] double face_conductance_slope(const FacePressure& face) const;
   [[nodiscard]] double face_inflow(const FacePressure& face, double head) const;
   void find_open_face_laws(const Boundary& boundary);
+  void find_drain_laws(const Boundary& boundary);
   bool switch_open_faces(const Boundary& boundary, double time_step, double flow_scale);
   void take_in_boundary_flow(const Boundary& boundary);
+  void conclude(double time_step, const Skeleton& skeleton, const Boundary& boundary);
   void book(double time_step, const Skeleton& skeleton, const Boundary& boundary);
-  void assemble(double flow_scale);
+  double find_imbalance(double time_step, const Skeleton& skeleton, const Boundary& boundary);
+  void add_face_slopes(double time_step, const Boundary& boundary);
+  bool find_pressure_step(double time_step, const Boundary& boundary, bool lagged);
+  void assemble(double time_step, bool lagged);
   void check() const;
 
   std::vector<Soil> soils_;
@@ -150,6 +172,7 @@ class PoreFlow {
   AirFlow air_flow_;
   std::vector<OpenFaceLaw> open_laws_;         // of the present step's open faces
   std::vector<OpenFaceLaw::Part> open_parts_;  // the parts for which the step is solved
+  std::vector<DrainLaw> drain_laws_;           // of the present step's drains
 
   std::vector<double> storage_, right_side_, diagonal_, outflow_, work_, work2_;
   std::vector<std::uint8_t> is_held_;
@@ -157,8 +180,10 @@ class PoreFlow {
   std::vector<double> wx_, wy_;
   ConjugateGradients solver_;
   Eigen::SparseMatrix<double> matrix_;
-  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factorisation_;
-  bool pattern_known_ = false;  // whether the factorisation's ordering fits the present neighbours
+  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> lagged_factorisation_;
+  Eigen::SparseLU<Eigen::SparseMatrix<double>> factorisation_;
+  bool pattern_known_ = false;   // whether matrix_ and lagged_factorisation_ fit the present neighbours
+  bool ordering_known_ = false;  // whether factorisation_ does
 };
 
 }  // namespace slope::seepage

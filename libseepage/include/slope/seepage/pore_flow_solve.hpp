@@ -31,6 +31,13 @@ SolveReport PoreFlow::solve(double time_step, const Skeleton& skeleton, std::spa
     right_side_[face.particle] += time_step * face_inflow(face, head_[face.particle]);
   }
   for (const Inflow& inflow : boundary.inflows) right_side_[inflow.particle] += time_step * inflow.rate;
+  find_drain_laws(boundary);
+  for (std::size_t k = 0; k < drain_laws_.size(); ++k) {
+    const std::size_t p = boundary.drains[k].particle;
+    storage_[p] += flow_scale * drain_laws_[k].slope;
+    diagonal_[p] += flow_scale * drain_laws_[k].slope;
+    right_side_[p] -= time_step * drain_laws_[k].rate;
+  }
   find_open_face_laws(boundary);
   for (std::size_t k = 0; k < open_laws_.size(); ++k) {
     const std::size_t p = boundary.open_faces[k].particle;

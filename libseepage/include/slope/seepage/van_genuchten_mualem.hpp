@@ -15,6 +15,8 @@ struct VanGenuchtenMualem {
 
   /// @param suction_head h_s (m), not used; @param saturation S_r (-), in [0, 1]; @return k_rw (-), before the floor.
   [[nodiscard]] double evaluate(double suction_head, double saturation) const;
+  /// dk_rw/dh_s (1/m), <= 0, before the floor; `saturation` with its slope at h_s.
+  [[nodiscard]] double slope(double suction_head, const Saturation& saturation) const;
 };
 
 }  // namespace slope::seepage
