@@ -39,16 +39,16 @@ double intensity_until(const Rain& rain, double time) {
 
 }  // namespace
 
-double Reservoir::level_at(double time) const {
-  const auto after = std::ranges::find_if(level, [time](const LevelPoint& point) { return point.time >= time; });
-  if (after == level.end()) return level.back().level;
-  if (after == level.begin()) return level.front().level;
-  const LevelPoint& before = *(after - 1);
-  return before.level + (after->level - before.level) * ((time - before.time) / (after->time - before.time));
+double TimeSeries::at(double time) const {
+  const auto after = std::ranges::find_if(points, [time](const TimedValue& point) { return point.time >= time; });
+  if (after == points.end()) return points.back().value;
+  if (after == points.begin()) return points.front().value;
+  const TimedValue& before = *(after - 1);
+  return before.value + (after->value - before.value) * ((time - before.time) / (after->time - before.time));
 }
 
-double Reservoir::highest_level() const {
-  return std::ranges::max_element(level, {}, &LevelPoint::level)->level;
+double TimeSeries::highest() const {
+  return std::ranges::max_element(points, {}, &TimedValue::value)->value;
 }
 
 BoundaryConditions::BoundaryConditions(const Case& input, const InitialParticles& particles)
@@ -59,6 +59,7 @@ BoundaryConditions::BoundaryConditions(const Case& input, const InitialParticles
       face_distance_(particles.face_distance),
       first_cover_(particles.x.size(), Cover::none),
       spacing_(particles.spacing),
+      share_(water_),
       surface_(particles.spacing, mirror_walls(input)) {
   const auto add_times = [this](double start, double ramp) {
     change_times_.push_back(start);
@@ -93,6 +94,7 @@ void BoundaryConditions::start(Actions& actions) {
   actions.water.faces.clear();
   actions.water.inflows.clear();
   actions.water.open_faces.clear();
+  actions.water.drains.clear();
   actions.water.count = names_.size();
   actions.standing_water = {};
   actions.tractions.clear();
@@ -111,7 +113,7 @@ void BoundaryConditions::apply(double time, const Mixture& mixture, Actions& act
     if (const auto* rain = std::get_if<Rain>(&water_[b].condition)) {
       add_rain(b, share * intensity_until(*rain, time), mixture, actions);
     } else {
-      add_water(b, share, mixture, actions);
+      add_water(b, time, share, mixture, actions);
     }
   }
   add_seepage_faces(false, mixture, actions);
@@ -135,7 +137,7 @@ void BoundaryConditions::apply_initial(const Mixture& mixture, Actions& actions)
     if (const auto* rain = std::get_if<Rain>(&water_[b].condition)) {
       add_rain(b, rain->before_start.value_or(rain->hyetograph.front().intensity), mixture, actions);
     } else {
-      add_water(b, 1.0, mixture, actions);
+      add_water(b, 0.0, 1.0, mixture, actions);
     }
   }
   add_seepage_faces(true, mixture, actions);
@@ -150,7 +152,11 @@ double BoundaryConditions::next_change(double time) const {
   };
   for (const WaterBoundary& boundary : water_) {
     if (const auto* rain = std::get_if<Rain>(&boundary.condition)) look_at(rain->hyetograph);
-    if (const auto* reservoir = std::get_if<Reservoir>(&boundary.condition)) look_at(reservoir->level);
+    if (const auto* reservoir = std::get_if<Reservoir>(&boundary.condition)) look_at(reservoir->level.points);
+    if (const auto* flux = std::get_if<PrescribedFlux>(&boundary.condition)) look_at(flux->flux.points);
+    if (const auto* held = std::get_if<PrescribedPressure>(&boundary.condition)) {
+      look_at(held->total_head ? held->total_head->points : held->pressure.points);
+    }
   }
   return next;
 }
@@ -161,7 +167,7 @@ void BoundaryConditions::flood(double time, bool before_start, const Mixture& mi
   for (std::size_t b = 0; b < water_.size(); ++b) {
     const auto* reservoir = std::get_if<Reservoir>(&water_[b].condition);
     if (reservoir == nullptr || (before_start && !water_[b].initial)) continue;
-    const double level = reservoir->level_at(time);
+    const double level = reservoir->level.at(time);
     const PlaceRange& where = water_[b].where;
     surface_.update(mixture.skeleton());
     for (const seepage::SurfacePiece& piece : surface_.pieces()) {
@@ -174,24 +180,27 @@ void BoundaryConditions::flood(double time, bool before_start, const Mixture& mi
       actions.water.faces.push_back(
           {p, static_cast<std::uint32_t>(b), unit_weight * depth, rise, face_distance_[p], piece.area});
     }
-    add_standing_water(level, mixture, actions.standing_water);
+    add_standing_water(b, level, mixture, actions.standing_water);
   }
 }
 
 // The pressure of standing water, as if there were no soil. At the level a particle has the mean over its square.
-void BoundaryConditions::add_standing_water(double level, const Mixture& mixture, StandingWater& standing) const {
+void BoundaryConditions::add_standing_water(std::size_t boundary, double level, const Mixture& mixture,
+                                            StandingWater& standing) const {
   const double unit_weight = mixture.water.water().unit_weight();
-  const std::vector<double>& y = mixture.soil.particles().y;
-  standing.pressure.resize(y.size(), 0.0);
-  standing.gradient_x.resize(y.size(), 0.0);
-  standing.gradient_y.resize(y.size(), 0.0);
-  for (std::size_t p = 0; p < y.size(); ++p) {
-    const double depth = level - y[p];
-    const double share = std::clamp(depth / spacing_ + 0.5, 0.0, 1.0);  // of the particle, under water
-    const double pressure = unit_weight * (share < 1.0 ? 0.5 * spacing_ * share * share : depth);
-    if (pressure <= standing.pressure[p]) continue;
-    standing.pressure[p] = pressure;
-    standing.gradient_y[p] = -unit_weight * share;
+  const solid::Particles& soil = mixture.soil.particles();
+  standing.pressure.resize(soil.size(), 0.0);
+  standing.gradient_x.resize(soil.size(), 0.0);
+  standing.gradient_y.resize(soil.size(), 0.0);
+  for (std::size_t p = 0; p < soil.size(); ++p) {
+    const double depth = level - soil.y[p];
+    const double wet = std::clamp(depth / spacing_ + 0.5, 0.0, 1.0);  // part of the particle that is under water
+    if (wet == 0.0) continue;
+    const double pressure = unit_weight * (wet < 1.0 ? 0.5 * spacing_ * wet * wet : depth);
+    const StandingWaterShare::Share share = share_.of(boundary, soil.x[p]);
+    standing.pressure[p] += share.value * pressure;
+    standing.gradient_x[p] += share.slope * pressure;
+    standing.gradient_y[p] -= share.value * unit_weight * wet;
   }
 }
 
@@ -229,7 +238,8 @@ void BoundaryConditions::add_rain(std::size_t boundary, double intensity, const 
   }
 }
 
-void BoundaryConditions::add_water(std::size_t boundary, double share, const Mixture& mixture, Actions& actions) const {
+void BoundaryConditions::add_water(std::size_t boundary, double time, double share, const Mixture& mixture,
+                                   Actions& actions) const {
   const WaterBoundary& condition = water_[boundary];
   const auto index = static_cast<std::uint32_t>(boundary);
   const double unit_weight = mixture.water.water().unit_weight();
@@ -237,13 +247,17 @@ void BoundaryConditions::add_water(std::size_t boundary, double share, const Mix
   for (const std::size_t p : water_particles_[boundary]) {
     const auto particle = static_cast<std::uint32_t>(p);
     if (const auto* flux = std::get_if<PrescribedFlux>(&condition.condition)) {
-      actions.water.inflows.push_back({particle, index, share * flux->flux * spacing_});
+      actions.water.inflows.push_back({particle, index, share * flux->flux.at(time) * spacing_});
+      continue;
+    }
+    if (std::holds_alternative<FreeDrainage>(condition.condition)) {
+      actions.water.drains.push_back({particle, index, spacing_});
       continue;
     }
     const auto& held = std::get<PrescribedPressure>(condition.condition);
     const double rise = upwards * face_distance_[p];
     const double height = mixture.soil.particles().y[p] + (held.at_face ? rise : 0.0);
-    const double full = held.total_head ? unit_weight * (*held.total_head - height) : held.pressure;
+    const double full = held.total_head ? unit_weight * (held.total_head->at(time) - height) : held.pressure.at(time);
     const double start = first_pressure_[p] - (held.at_face ? unit_weight * rise : 0.0);
     const double pressure = start + share * (full - start);
     if (held.at_face) {

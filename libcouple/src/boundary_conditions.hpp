@@ -8,6 +8,7 @@
 #include "slope/couple/case.hpp"
 #include "slope/couple/geometry.hpp"
 #include "slope/seepage/free_surface.hpp"
+#include "standing_water_share.hpp"
 
 namespace slope::couple {
 
@@ -44,9 +45,9 @@ class BoundaryConditions {
   enum class Cover : std::uint8_t { none, condition, water, rain };
 
   void start(Actions& actions);
-  void add_water(std::size_t boundary, double share, const Mixture& mixture, Actions& actions) const;
+  void add_water(std::size_t boundary, double time, double share, const Mixture& mixture, Actions& actions) const;
   void flood(double time, bool before_start, const Mixture& mixture, Actions& actions);
-  void add_standing_water(double level, const Mixture& mixture, StandingWater& standing) const;
+  void add_standing_water(std::size_t boundary, double level, const Mixture& mixture, StandingWater& standing) const;
   void add_seepage_faces(bool before_start, const Mixture& mixture, Actions& actions);
   void add_rain(std::size_t boundary, double intensity, const Mixture& mixture, Actions& actions);
 
@@ -61,6 +62,7 @@ class BoundaryConditions {
   std::vector<double> face_distance_;
   std::vector<Cover> first_cover_, cover_;  // of each particle, by what holds always, and now
   double spacing_;
+  StandingWaterShare share_;
   seepage::FreeSurface surface_;
 };
 

@@ -8,6 +8,7 @@
 #include "initial_state.hpp"
 #include "polygon.hpp"
 #include "slope/couple/geometry.hpp"
+#include "standing_water_share.hpp"
 
 namespace slope::couple {
 
@@ -15,6 +16,8 @@ namespace {
 
 /// More cells than this are taken for a slip of the unit.
 constexpr double most_cells = 4.0e6;
+/// Between two reservoirs, so that the grid can carry the difference of their pressures.
+constexpr double least_gap_cells = 2.0;
 
 std::string text_of(const Point& point) {
   return fmt::format("({:g} m, {:g} m)", point[0], point[1]);
@@ -127,17 +130,25 @@ void check_overlaps(const Input& place, const std::vector<WaterBoundary>& bounda
   }
 }
 
-/// The weight of standing water is that of one level all over the soil.
+/// Standing water weighs on the soil up to where its share fades out (see StandingWaterShare): there must be ground.
 void check_reservoirs(const Input& place, const Case& input, const InitialParticles& particles) {
   if (input.scheme == Scheme::seepage) return;
+  const StandingWaterShare share(input.water_boundaries);
   for (std::size_t i = 0; i < input.water_boundaries.size(); ++i) {
     const auto* reservoir = std::get_if<Reservoir>(&input.water_boundaries[i].condition);
     if (reservoir == nullptr) continue;
+    if (share.gap_after(i) < least_gap_cells * input.domain.cell_size) {
+      place.item(i).problem(
+          fmt::format("ends {:g} m before the next reservoir begins; leave at least {:g} m of ground between them, "
+                      "higher than both",
+                      share.gap_after(i), least_gap_cells * input.domain.cell_size));
+      continue;
+    }
     const PlaceRange& where = input.water_boundaries[i].where;
-    const double level = reservoir->highest_level();
+    const double level = reservoir->level.highest();
     for (const std::size_t p : particles_at({}, particles)) {
       const double x = particles.x[p], ground = particles.y[p] + particles.face_distance[p];
-      if ((x >= where.from && x <= where.to) || ground >= level) continue;
+      if ((x >= where.from && x <= where.to) || ground >= level || share.of(i, x).value == 0.0) continue;
       place.item(i).problem(fmt::format(
           "the ground at x = {:g} m, y = {:g} m lies beyond \"from\" and \"to\", but below the highest level, {:g} m; "
           "widen the range, or move the water alone with \"coupling: {{scheme: seepage}}\"",
@@ -150,17 +161,23 @@ void check_reservoirs(const Input& place, const Case& input, const InitialPartic
 void check_steady(const Input& root, const Case& input) {
   const bool steady = std::holds_alternative<SteadyWater>(input.initial_water);
   const Input place = root.at("water_boundaries");
-  bool held = false;
+  bool held = false, drained = false, fed = false;
   for (std::size_t i = 0; i < input.water_boundaries.size(); ++i) {
     const WaterBoundary& boundary = input.water_boundaries[i];
-    held = held || (boundary.initial && !std::holds_alternative<PrescribedFlux>(boundary.condition));
+    if (boundary.initial) {
+      const bool flux = std::holds_alternative<PrescribedFlux>(boundary.condition);
+      const bool drain = std::holds_alternative<FreeDrainage>(boundary.condition);
+      (flux ? fed : drain ? drained : held) = true;
+    }
     if (boundary.initial && !steady && !std::holds_alternative<Reservoir>(boundary.condition)) {
       place.item(i).at("initial").problem("has a meaning only with initial.water of type steady; remove it");
     }
   }
-  if (steady && !held) {
+  if (steady && !held && !(drained && fed)) {
     root.at("initial").at("water").problem(
-        "steady seepage needs a water boundary with a pressure, total_head, rain or reservoir and \"initial: true\"");
+        "steady seepage needs a water boundary with a pressure, total_head, rain or reservoir and \"initial: true\", "
+        "or "
+        "free_drainage and a flux");
   }
 }
 

@@ -18,7 +18,7 @@ inline constexpr const char* library_soil_key = "soil";
 [[nodiscard]] Format<std::string> library_format();
 
 /// The keys of a water boundary of which it has exactly one.
-inline constexpr std::array water_conditions{"pressure", "total_head", "flux", "rain", "reservoir"};
+inline constexpr std::array water_conditions{"pressure", "total_head", "flux", "free_drainage", "rain", "reservoir"};
 /// The keys of rain of which it has exactly one.
 inline constexpr std::array rain_conditions{"intensity", "hyetograph", "file"};
 

@@ -17,7 +17,8 @@ constexpr auto itself = [](auto& value) -> auto& {
 /// A water boundary as it stands in the file: one of the conditions.
 struct WaterBoundaryText {
   WaterBoundary common;  ///< all but the condition
-  std::optional<double> pressure, total_head, flux;
+  std::optional<TimeSeries> pressure, total_head, flux;
+  std::optional<bool> free_drainage;
   std::optional<Rain> rain;
   std::optional<Reservoir> reservoir;
   std::optional<bool> at_face;
@@ -106,31 +107,30 @@ void check_times(const Input& input, const std::vector<Step>& steps) {
   }
 }
 
-/// A level, or points [time, level] of one.
-Format<std::vector<LevelPoint>> level_format() {
-  const Format<double> constant = quantity(Dimension::length);
-  const auto points =
-      list_of(step_format(&LevelPoint::level, Dimension::length, "[time, level], such as [10 h, 5 m]"), 1);
+/// One value, or points [time, value]; of these an example: "[time, level], such as [10 h, 5 m]".
+Format<TimeSeries> time_series(Dimension dimension, const std::string& example) {
+  const Format<double> constant = quantity(dimension);
+  const auto points = list_of(step_format(&TimedValue::value, dimension, example), 1);
   Document schema = Document::map();
   schema.set("anyOf", Document::list({constant.schema, points.schema}));
-  const auto read = [=](const Input& input, std::vector<LevelPoint>& level) {
+  const auto read = [=](const Input& input, TimeSeries& series) {
     if (input.node().kind != Document::Kind::list) {
-      level.assign(1, {});
-      constant.read(input, level.front().level);
+      series.points.assign(1, {});
+      constant.read(input, series.points.front().value);
       return;
     }
-    points.read(input, level);
-    check_times(input, level);
+    points.read(input, series.points);
+    check_times(input, series.points);
   };
-  const auto write = [=](const std::vector<LevelPoint>& level) {
-    return level.size() == 1 ? constant.write(level.front().level) : points.write(level);
+  const auto write = [=](const TimeSeries& series) {
+    return series.points.size() == 1 ? constant.write(series.points.front().value) : points.write(series.points);
   };
   return {read, write, std::move(schema)};
 }
 
 Format<Reservoir> reservoir_format() {
   Record<Reservoir> record;
-  record.required("level", &Reservoir::level, level_format(),
+  record.required("level", &Reservoir::level, time_series(Dimension::length, "[time, level], such as [10 h, 5 m]"),
                   "y of the water's surface: one level, or points [time, level] with straight lines between them, "
                   "constant before the first and after the last",
                   "[[0 h, 9 m], [10 h, 5 m]]");
@@ -212,7 +212,7 @@ Format<Rain> rain_format() {
 void from_text(const Input& input, const WaterBoundaryText& text, WaterBoundary& boundary) {
   boundary = text.common;
   const int given = text.pressure.has_value() + text.total_head.has_value() + text.flux.has_value() +
-                    text.rain.has_value() + text.reservoir.has_value();
+                    text.free_drainage.has_value() + text.rain.has_value() + text.reservoir.has_value();
   if (given != 1) {
     input.problem(fmt::format("needs one of {}, got {}; write for example \"pressure: 0 kPa\"",
                               fmt::join(water_conditions, ", "), given == 0 ? "none" : std::to_string(given)));
@@ -241,22 +241,38 @@ void from_text(const Input& input, const WaterBoundaryText& text, WaterBoundary&
     if (boundary.ramp > 0.0) refuse("ramp");
     return;
   }
+  if (text.free_drainage) {
+    boundary.condition = FreeDrainage{};
+    const auto refuse = [&](const char* key) {
+      input.at(key).problem("free drainage knows only a beginning; remove this key");
+    };
+    if (!*text.free_drainage) input.at("free_drainage").problem("must be true; without it remove this boundary");
+    if (boundary.where.place != Place::base) input.at("at").problem("drains at the base only; write \"at: base\"");
+    if (text.at_face) refuse("applied_to");
+    if (boundary.ramp > 0.0) refuse("ramp");
+    return;
+  }
   if (text.flux) {
     boundary.condition = PrescribedFlux{*text.flux};
     if (text.at_face) input.at("applied_to").problem("a flux always enters through the face; remove this key");
     return;
   }
-  boundary.condition = PrescribedPressure{text.pressure.value_or(0.0), text.total_head, text.at_face.value_or(false)};
+  boundary.condition =
+      PrescribedPressure{text.pressure.value_or(TimeSeries{}), text.total_head, text.at_face.value_or(false)};
 }
 
 WaterBoundaryText to_text(const WaterBoundary& boundary) {
-  WaterBoundaryText text{boundary, {}, {}, {}, {}, {}, {}};
+  WaterBoundaryText text{boundary, {}, {}, {}, {}, {}, {}, {}};
   if (const auto* rain = std::get_if<Rain>(&boundary.condition)) {
     text.rain = *rain;
     return text;
   }
   if (const auto* reservoir = std::get_if<Reservoir>(&boundary.condition)) {
     text.reservoir = *reservoir;
+    return text;
+  }
+  if (std::holds_alternative<FreeDrainage>(boundary.condition)) {
+    text.free_drainage = true;
     return text;
   }
   if (const auto* flux = std::get_if<PrescribedFlux>(&boundary.condition)) {
@@ -322,13 +338,20 @@ Format<WaterBoundary> water_boundary_format() {
       "and reservoirs: where soil meets air or water, found anew as it moves");
   record
       .optional(
-          "pressure", &WaterBoundaryText::pressure, maybe(quantity(Dimension::pressure)),
-          "prescribed pore-water pressure, positive in compression; zero at the ground is the upper bound of any rain "
-          "that does not pond")
-      .optional("total_head", &WaterBoundaryText::total_head, maybe(quantity(Dimension::length)),
-                "prescribed total head, pressure head plus y")
-      .optional("flux", &WaterBoundaryText::flux, maybe(quantity(Dimension::velocity)),
-                "prescribed flux per area of the surface, positive into the soil")
+          "pressure", &WaterBoundaryText::pressure,
+          maybe(time_series(Dimension::pressure, "[time, pressure], such as [10 h, -5 kPa]")),
+          "prescribed pore-water pressure, positive in compression, one or points [time, pressure]; zero at the ground "
+          "is the upper bound of any rain that does not pond")
+      .optional("total_head", &WaterBoundaryText::total_head,
+                maybe(time_series(Dimension::length, "[time, head], such as [10 h, 5 m]")),
+                "prescribed total head, pressure head plus y, one or points [time, head]")
+      .optional("flux", &WaterBoundaryText::flux,
+                maybe(time_series(Dimension::velocity, "[time, flux], such as [10 h, 5 mm/h]")),
+                "prescribed flux per area of the surface, positive into the soil, one or points [time, flux]")
+      .optional(
+          "free_drainage", &WaterBoundaryText::free_drainage, maybe(flag()),
+          "true: at the base, water leaves by its own weight, with the conductivity that the soil has there, as if "
+          "the soil went on below and the water table were far down")
       .optional("rain", &WaterBoundaryText::rain, maybe(rain_format()),
                 "rain or evaporation on the free surface, which water may leave but never enters by suction")
       .optional("reservoir", &WaterBoundaryText::reservoir, maybe(reservoir_format()),

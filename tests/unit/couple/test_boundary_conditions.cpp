@@ -65,11 +65,11 @@ std::vector<std::string> lake_of(const std::string& level, const std::string& mo
 TEST(BoundaryConditions, AReservoirFollowsItsLevel) {
   Acting acting(lake_of("[[10 s, 3 m], [20 s, 2 m], [30 s, 4 m]]"));
   const auto& lake = std::get<Reservoir>(acting.input.water_boundaries[0].condition);
-  EXPECT_EQ(lake.level_at(0.0), 3.0);
-  EXPECT_EQ(lake.level_at(15.0), 2.5);
-  EXPECT_EQ(lake.level_at(25.0), 3.0);
-  EXPECT_EQ(lake.level_at(99.0), 4.0);
-  EXPECT_EQ(lake.highest_level(), 4.0);
+  EXPECT_EQ(lake.level.at(0.0), 3.0);
+  EXPECT_EQ(lake.level.at(15.0), 2.5);
+  EXPECT_EQ(lake.level.at(25.0), 3.0);
+  EXPECT_EQ(lake.level.at(99.0), 4.0);
+  EXPECT_EQ(lake.level.highest(), 4.0);
   EXPECT_EQ(acting.conditions.next_change(0.0), 10.0);
   EXPECT_EQ(acting.conditions.next_change(10.0), 20.0);
   EXPECT_EQ(acting.conditions.next_change(30.0), never);
@@ -126,6 +126,49 @@ TEST(BoundaryConditions, AReservoirHoldsBeforeTheStartIfItIsInitial) {
   later.conditions.apply_initial(later.mixture, before);
   EXPECT_TRUE(before.water.faces.empty());
   EXPECT_TRUE(before.standing_water.pressure.empty());
+}
+
+TEST(BoundaryConditions, TwoReservoirsShareTheSoilBetweenThem) {
+  const std::string far = ", {name: pond, at: free_surface, from: 9 m, reservoir: {level: 4 m}}";
+  Acting acting(
+      {"water_boundaries=[{name: lake, at: free_surface, to: 8 m, reservoir: {level: 3 m}}" + far + "]",
+       "geometry.0.polygon=[[0 m, 0 m], [11 m, 0 m], [11 m, 3 m], [9.5 m, 5 m], [7.2 m, 5 m], [2.5 m, 1 m], [0 m, "
+       "1 m]]"});
+  const Actions actions = acting.at(1.0);
+  const solid::Particles& soil = acting.mixture.soil.particles();
+  for (std::size_t p = 0; p < soil.size(); ++p) {
+    if (soil.y[p] > 2.5) continue;  // below both levels
+    const double lake = 9810.0 * (3.0 - soil.y[p]), pond = 9810.0 * (4.0 - soil.y[p]);
+    const double share = std::clamp(soil.x[p] - 8.0, 0.0, 1.0);
+    EXPECT_NEAR(actions.standing_water.pressure[p], (1.0 - share) * lake + share * pond, 1e-6);
+    EXPECT_NEAR(actions.standing_water.gradient_x[p], share > 0.0 && share < 1.0 ? pond - lake : 0.0, 1e-6);
+    EXPECT_NEAR(actions.standing_water.gradient_y[p], -9810.0, 1e-6);
+  }
+  for (const seepage::FacePressure& face : actions.water.faces) {
+    EXPECT_EQ(face.boundary, soil.x[face.particle] > 9.0 ? 1u : 0u);
+  }
+}
+
+TEST(BoundaryConditions, PressuresAndFluxesFollowTheirPoints) {
+  Acting acting(
+      {"water_boundaries=[{name: river, at: left, to: 1 m, total_head: [[0 s, 1 m], [10 s, 3 m]], applied_to: "
+       "face}, {name: leak, at: right, flux: [[0 s, 0 m/s], [20 s, 2e-6 m/s]]}, {name: drain, at: base, "
+       "free_drainage: true, start: 4 s}]"});
+  EXPECT_EQ(acting.conditions.next_change(0.0), 10.0);
+  EXPECT_EQ(acting.conditions.next_change(10.0), 20.0);
+  EXPECT_TRUE(acting.at(3.0).water.drains.empty());
+  const Actions actions = acting.at(5.0);
+  const solid::Particles& soil = acting.mixture.soil.particles();
+  ASSERT_FALSE(actions.water.faces.empty());
+  for (const seepage::FacePressure& face : actions.water.faces) {
+    EXPECT_NEAR(face.pressure, 9810.0 * (2.0 - soil.y[face.particle]), 1e-9);
+  }
+  ASSERT_FALSE(actions.water.inflows.empty());
+  const double spacing = acting.particles.spacing;
+  for (const seepage::Inflow& inflow : actions.water.inflows) EXPECT_NEAR(inflow.rate, 0.5e-6 * spacing, 1e-18);
+  double width = 0.0;
+  for (const seepage::Drain& drain : actions.water.drains) width += drain.width;
+  EXPECT_NEAR(width, 11.0, 1e-9);
 }
 
 }  // namespace

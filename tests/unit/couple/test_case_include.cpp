@@ -99,7 +99,7 @@ TEST_F(CaseInclude, ListsOfNamedEntriesAreMergedByName) {
   ASSERT_EQ(input.water_boundaries.size(), 2u);
   EXPECT_EQ(input.water_boundaries[0].name, "rain");
   EXPECT_EQ(input.water_boundaries[0].ramp, 7.0);
-  EXPECT_EQ(std::get<PrescribedPressure>(input.water_boundaries[0].condition).pressure, 0.0);
+  EXPECT_EQ(std::get<PrescribedPressure>(input.water_boundaries[0].condition).pressure.at(0.0), 0.0);
   EXPECT_EQ(input.water_boundaries[1].name, "river");
   EXPECT_TRUE(with("water_boundaries: []\n").water_boundaries.empty());
 }
@@ -122,7 +122,7 @@ TEST_F(CaseInclude, TheSameKindKeepsTheRestOfTheBase) {
       "soils: {sandy_clay: {retention: {model: van_genuchten, alpha: 0.1 1/m}}}\n"
       "water_boundaries: [{name: rain, pressure: -1 kPa}]\n");
   EXPECT_EQ(std::get<seepage::VanGenuchten>(input.soils.at(0).seepage.retention).n, 3.0);
-  EXPECT_EQ(std::get<PrescribedPressure>(input.water_boundaries.at(0).condition).pressure, -1000.0);
+  EXPECT_EQ(std::get<PrescribedPressure>(input.water_boundaries.at(0).condition).pressure.at(0.0), -1000.0);
   EXPECT_EQ(input.water_boundaries.at(0).ramp, 5.0);
 }
 

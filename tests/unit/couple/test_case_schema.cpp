@@ -246,6 +246,8 @@ TEST_F(CaseSchema, EveryAlternativeIsAccepted) {
       "absorbing_depth: "
       "20 m}",
       "water_boundaries=[{name: lake, at: free_surface, to: 12 m, initial: true, reservoir: {level: 3 m}}]",
+      "water_boundaries=[{name: drain, at: base, free_drainage: true}]",
+      "water_boundaries=[{name: ditch, at: left, total_head: [[0 h, 2 m], [3 h, 1 m]]}]",
       "water_boundaries=[{name: lake, at: free_surface, reservoir: {level: [[0 h, 3 m], [10 h, 2 m]]}}, {name: storm, "
       "at: free_surface, rain: {intensity: 1 mm/h}}]",
       "seismic={horizontal_coefficient: 0.1, vertical_coefficient: -5 %, start: 1 s, ramp: 2 s}",

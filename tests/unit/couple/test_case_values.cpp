@@ -58,7 +58,7 @@ TEST(CaseValues, TheSlopeIsTheOneOfThePapersTable2) {
   EXPECT_EQ(std::get<HydrostaticWater>(input.initial_water).water_table, 3.0);
   EXPECT_EQ(input.mixture_density, MixtureDensity::saturated);
   const auto& rain = std::get<PrescribedPressure>(input.water_boundaries.at(0).condition);
-  EXPECT_EQ(rain.pressure, 0.0);
+  EXPECT_EQ(rain.pressure.at(0.0), 0.0);
   EXPECT_FALSE(rain.at_face);
   EXPECT_EQ(input.points.size(), 7u);
 }
@@ -126,14 +126,16 @@ std::string full_case() {
     content.replace(content.find(text), text.size(), replacement);
   };
   replace("title:", "gravity: 3.71 m/s2\ntitle:");
-  replace("water_boundaries:\n",
-          "loads:\n"
-          "  - {name: fill, at: ground_surface, from: 30 m, traction: [0 kPa, -10 kPa], start: 1 h, ramp: 10 s}\n"
-          "water_boundaries:\n"
-          "  - {name: river, at: left, to: 2 m, total_head: 2.5 m, applied_to: face, initial: true}\n"
-          "  - {name: drizzle, at: right, from: 11 m, flux: 36 mm/h, start: 3 min}\n"
-          "  - {name: storm, at: free_surface, to: 9 m, rain: {hyetograph: [[1 h, 36 mm/h], [2 h, -3.6 mm/h]], "
-          "ponding_depth: 5 mm, evaporation_limit: 50 kPa, before_start: 3.6 mm/h}}\n");
+  replace(
+      "water_boundaries:\n",
+      "loads:\n"
+      "  - {name: fill, at: ground_surface, from: 30 m, traction: [0 kPa, -10 kPa], start: 1 h, ramp: 10 s}\n"
+      "water_boundaries:\n"
+      "  - {name: river, at: left, to: 2 m, total_head: [[0 h, 2.5 m], [1 h, 2 m]], applied_to: face, initial: true}\n"
+      "  - {name: drain, at: base, free_drainage: true, start: 2 min}\n"
+      "  - {name: drizzle, at: right, from: 11 m, flux: 36 mm/h, start: 3 min}\n"
+      "  - {name: storm, at: free_surface, to: 9 m, rain: {hyetograph: [[1 h, 36 mm/h], [2 h, -3.6 mm/h]], "
+      "ponding_depth: 5 mm, evaporation_limit: 50 kPa, before_start: 3.6 mm/h}}\n");
   replace("left: roller, right: roller, base: fixed",
           "left: friction, right: roller, base: absorbing, left_friction: 0.3, absorbing_depth: 20 m");
   replace("stress: self_weight", "stress: k0\n  k0_coefficient: 0.6");
@@ -159,18 +161,23 @@ TEST(CaseValues, EveryKeyReachesTheCase) {
   EXPECT_EQ(input.gravity, 3.71);
   EXPECT_EQ(input.water.gravity, 3.71);
   EXPECT_EQ(std::get<SteadyWater>(input.initial_water).water_table, 3.0);
-  ASSERT_EQ(input.water_boundaries.size(), 4u);
+  ASSERT_EQ(input.water_boundaries.size(), 5u);
   const WaterBoundary& river = input.water_boundaries[0];
   EXPECT_EQ(river.where.place, Place::left);
   EXPECT_EQ(river.where.from, -never);
   EXPECT_EQ(river.where.to, 2.0);
   EXPECT_TRUE(river.initial);
-  EXPECT_EQ(std::get<PrescribedPressure>(river.condition).total_head, 2.5);
+  const TimeSeries& head = std::get<PrescribedPressure>(river.condition).total_head.value();
+  EXPECT_EQ(head.at(0.0), 2.5);
+  EXPECT_EQ(head.at(1800.0), 2.25);
+  EXPECT_EQ(head.at(9999.0), 2.0);
   EXPECT_TRUE(std::get<PrescribedPressure>(river.condition).at_face);
-  EXPECT_EQ(std::get<PrescribedFlux>(input.water_boundaries[1].condition).flux, 1.0e-5);
-  EXPECT_EQ(input.water_boundaries[1].start, 180.0);
-  EXPECT_EQ(input.water_boundaries[2].where.place, Place::free_surface);
-  const auto& storm = std::get<Rain>(input.water_boundaries[2].condition);
+  EXPECT_TRUE(std::holds_alternative<FreeDrainage>(input.water_boundaries[1].condition));
+  EXPECT_EQ(input.water_boundaries[1].start, 120.0);
+  EXPECT_EQ(std::get<PrescribedFlux>(input.water_boundaries[2].condition).flux.at(0.0), 1.0e-5);
+  EXPECT_EQ(input.water_boundaries[2].start, 180.0);
+  EXPECT_EQ(input.water_boundaries[3].where.place, Place::free_surface);
+  const auto& storm = std::get<Rain>(input.water_boundaries[3].condition);
   ASSERT_EQ(storm.hyetograph.size(), 2u);
   EXPECT_EQ(storm.hyetograph[0].time, 3600.0);
   EXPECT_EQ(storm.hyetograph[0].intensity, 1.0e-5);
@@ -223,10 +230,10 @@ TEST(CaseValues, EveryKeyIsWrittenBack) {
   const CaseFolder folder;
   const std::string resolved = resolved_yaml(read_case(folder.write("slope.yaml", full_case())));
   EXPECT_EQ(resolved_yaml(read_case(folder.write("resolved.yaml", resolved))), resolved);
-  for (const char* line :
-       {"gravity: 3.71 m/s2", "type: steady", "total_head: 2.5 m", "flux: 1e-05 m/s", "flip_fraction: 0.95",
-        "applied_to: face", "initial: true", "evaporation_limit: 50 kPa", "at: free_surface", "model: mohr_coulomb",
-        "to_plastic_strain: 0.1", "youngs_modulus: 10 MPa", "friction_angle: 25 deg"}) {
+  for (const char* line : {"gravity: 3.71 m/s2", "type: steady", "total_head: [[0 s, 2.5 m], [3600 s, 2 m]]",
+                           "free_drainage: true", "flux: 1e-05 m/s", "flip_fraction: 0.95", "applied_to: face",
+                           "initial: true", "evaporation_limit: 50 kPa", "at: free_surface", "model: mohr_coulomb",
+                           "to_plastic_strain: 0.1", "youngs_modulus: 10 MPa", "friction_angle: 25 deg"}) {
     EXPECT_NE(resolved.find(line), std::string::npos) << line << "\n" << resolved;
   }
 }

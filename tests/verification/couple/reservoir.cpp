@@ -72,5 +72,28 @@ TEST(Reservoir, KeepsASubmergedBlockStill) {
                      1e3 * simulation.summary().largest_displacement, "mm"));
 }
 
+// A block on rollers, 4 m high and long, with water on both sides: its centre begins to move as the two triangles of
+// pressure push it.
+TEST(Reservoir, PushesABlockByTheDifferenceOfTwoLevels) {
+  const double left = 3.0, right = 1.0;
+  couple::Simulation simulation = start_case(
+      "ground.yaml",
+      {"domain={lower: [0 m, 0 m], upper: [10 m, 5 m], cell_size: 0.25 m, particles_per_cell: 4}",
+       "geometry.0.polygon=[[3 m, 0 m], [7 m, 0 m], [7 m, 4 m], [3 m, 4 m]]", "soils.sand.strength={model: elastic}",
+       "water_boundaries=[{name: lake, at: free_surface, to: 4.5 m, reservoir: {level: 3 m}}, {name: pond, at: "
+       "free_surface, from: 5.5 m, reservoir: {level: 1 m}}]",
+       "clock.adaptive=false", "stop.time=0.05 s"});
+  run(simulation, [](const couple::ParticleTable&) {});
+  double velocity = 0.0;
+  const couple::ParticleTable table = simulation.particles();
+  for (const couple::Point& v : table.velocity) velocity += v[0] / static_cast<double>(table.velocity.size());
+  const double mass = 16.0 * (0.65 * 2700.0 + 0.35 * 1000.0);
+  const double exact = 0.5 * unit_weight * (left * left - right * right) / mass * 0.05;
+  EXPECT_TRUE(record("reservoir-two-levels",
+                     "Block between two reservoirs: speed that the difference of their levels gives "
+                     "it, over the exact one",
+                     near(1.0, 0.005), velocity / exact, ""));
+}
+
 }  // namespace
 }  // namespace slope::testing

@@ -91,16 +91,32 @@ struct PlaceRange {
   double to = never;
 };
 
+/// A value at a time (s).
+struct TimedValue {
+  double time = 0.0;
+  double value = 0.0;
+};
+
+/// A value that changes with time: linear between its points, constant before the first and after the last.
+struct TimeSeries {
+  std::vector<TimedValue> points{{}};  ///< times ascending, at least one
+
+  [[nodiscard]] double at(double time) const;
+  [[nodiscard]] double highest() const;
+};
+
 /// A pressure (or head) that is prescribed on particles.
 struct PrescribedPressure {
-  double pressure = 0.0;             ///< P_w at the particle or face (Pa)
-  std::optional<double> total_head;  ///< if given, h = P_w/gamma_w + y (m) is prescribed instead
-  bool at_face = false;              ///< true: at the face half a spacing outside the particle
+  TimeSeries pressure;                   ///< P_w at the particle or face (Pa)
+  std::optional<TimeSeries> total_head;  ///< if given, h = P_w/gamma_w + y (m) is prescribed instead
+  bool at_face = false;                  ///< true: at the face half a spacing outside the particle
 };
 /// A flux into the soil per area of the particles' face (m/s), positive inwards.
 struct PrescribedFlux {
-  double flux = 0.0;
+  TimeSeries flux;
 };
+/// Water leaves downwards by its own weight, as if the soil went on for ever below and the water table were far down.
+struct FreeDrainage {};
 
 /// Rain from a time on (s), per horizontal metre (m/s); negative: what the air could evaporate.
 struct RainStep {
@@ -116,26 +132,16 @@ struct Rain {
   std::optional<double> before_start;  ///< intensity in the steady state before the start (m/s); none: the first one
 };
 
-/// Level of standing water at a time (s): y (m).
-struct LevelPoint {
-  double time = 0.0;
-  double level = 0.0;
-};
-
 /// Water that stands on the free surface. Below its level the face bears its pressure, and the soil its weight; above
 /// it the surface is a seepage face, or takes the rain that falls there.
 struct Reservoir {
-  std::vector<LevelPoint> level;  ///< times ascending, at least one; linear between them, constant before and after
-
-  /// y (m)
-  [[nodiscard]] double level_at(double time) const;
-  [[nodiscard]] double highest_level() const;
+  TimeSeries level;  ///< y of the water's surface (m)
 };
 
 struct WaterBoundary {
   std::string name;
   PlaceRange where;
-  std::variant<PrescribedPressure, PrescribedFlux, Rain, Reservoir> condition;
+  std::variant<PrescribedPressure, PrescribedFlux, FreeDrainage, Rain, Reservoir> condition;
   double start = 0.0;    ///< time from which it holds (s)
   double ramp = 0.0;     ///< time over which it goes linearly from what is there to the prescribed value (s)
   bool initial = false;  ///< holds before the start too: in the steady flow, and a reservoir's weight in the stress
