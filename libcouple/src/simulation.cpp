@@ -329,7 +329,7 @@ Progress Simulation::progress() const {
   if (s.result.onset_time && s.input.stop.after_onset < never) {
     share = std::max(share, s.time / (*s.result.onset_time + s.input.stop.after_onset));
   }
-  return {s.time, std::min(share, 1.0), s.clock_factor, s.largest_displacement, s.steps, s.result.water.infiltration};
+  return {s.time, std::min(share, 1.0), s.clock_factor, s.largest_displacement, s.steps, s.water_budget()};
 }
 
 ParticleTable Simulation::particles() const {

@@ -157,7 +157,11 @@ Format<seepage::Retention> retention_format() {
   van_genuchten
       .required("alpha", &VanGenuchten::alpha, quantity(Dimension::inverse_length, above(0.0)), "alpha' of Eq. 8",
                 "0.05 1/m")
-      .required("n", &VanGenuchten::n, quantity(Dimension::number, above(1.0)), "n' of Eq. 8", "3");
+      .required("n", &VanGenuchten::n, quantity(Dimension::number, above(1.0)), "n' of Eq. 8", "3")
+      .optional(
+          "air_entry", &VanGenuchten::air_entry, quantity(Dimension::length, at_least(0.0)),
+          "suction head up to which the soil stays wet (Vogel et al. 2001); 2 cm helps clays with n near 1, whose "
+          "permeability falls within a millimetre of suction by half without it");
   Record<LiakopoulosRetention> liakopoulos;
   liakopoulos
       .required("coefficient", &LiakopoulosRetention::coefficient, quantity(Dimension::number, above(0.0)),
@@ -237,6 +241,7 @@ void complete_mualem(const Input& input, Soil& soil) {
   const Input place = input.at("relative_permeability");
   const auto* retention = std::get_if<seepage::VanGenuchten>(&soil.seepage.retention);
   if (retention != nullptr) {
+    mualem->entry_saturation = retention->entry_saturation();
     if (!place.has("n")) mualem->n = retention->n;
     if (!place.has("residual_saturation")) mualem->range.residual = retention->range.residual;
     if (!place.has("maximum_saturation")) mualem->range.maximum = retention->range.maximum;

@@ -4,11 +4,15 @@
 
 namespace slope::seepage {
 
+double VanGenuchten::entry_saturation() const {
+  return air_entry > 0.0 ? std::pow(1.0 + std::pow(alpha * air_entry, n), 1.0 / n - 1.0) : 1.0;
+}
+
 Saturation VanGenuchten::evaluate(double suction_head) const {
-  if (suction_head <= 0.0) return {range.maximum, 0.0};
+  if (suction_head <= air_entry) return {range.maximum, 0.0};
   const double m = 1.0 - 1.0 / n;
   const double x = std::exp(n * std::log(alpha * suction_head));
-  const double effective = std::exp(-m * std::log1p(x));
+  const double effective = std::exp(-m * std::log1p(x)) / entry_saturation();
   return range.scale(effective, -m * n * effective / ((1.0 + 1.0 / x) * suction_head));
 }
 

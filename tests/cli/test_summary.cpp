@@ -93,13 +93,25 @@ TEST(Report, SaysZoneSuctionAndWaterWithUnits) {
   }
 }
 
-TEST(Progress, ShowsTimeShareClockDisplacementAndTimeLeft) {
-  EXPECT_EQ(progress_text({412.3, 0.25, 12.4, 0.00123, 1000, 0.125}, 2400.0, 50.0),
-            "412.3 s of 2400 s   25 %  clock x12.4  displacement 1.2 mm  water in 0.125 m3/m  2:30 left");
-  EXPECT_EQ(progress_text({2400.0, 1.0, 1.0, 0.25, 1000}, 2400.0, 50.0),
+TEST(Progress, ShowsTimeShareTimeLeftClockAndDisplacement) {
+  EXPECT_EQ(progress_text({412.3, 0.25, 12.4, 0.00123, 1000, {}}, 2400.0, 50.0),
+            "412.3 s of 2400 s   25 %  2:30 left  clock x12.4  displacement 1.2 mm");
+  EXPECT_EQ(progress_text({2400.0, 1.0, 1.0, 0.25, 1000, {}}, 2400.0, 50.0),
             "2400 s of 2400 s  100 %  clock x1  displacement 0.25 m");
-  EXPECT_EQ(progress_text({100.0, 0.5, 1.0, 0.0, 10}, 200.0, 7265.0),
-            "100 s of 200 s   50 %  clock x1  displacement 0 mm  2:01:05 left");
+  EXPECT_EQ(progress_text({9000.0, 0.5, 1.0, 0.0, 10, {}}, 18000.0, 7265.0),
+            "2.5 h of 5 h   50 %  2:01:05 left  clock x1  displacement 0 mm");
+}
+
+TEST(Progress, ShowsTheWatersBooks) {
+  couple::Progress progress{2400.0, 1.0, 1.0, 0.0, 1000, {}};
+  progress.water.infiltration = progress.water.storage = 0.125;
+  EXPECT_EQ(progress_text(progress, 2400.0, 50.0),
+            "2400 s of 2400 s  100 %  clock x1  displacement 0 mm  water (m3/m): in 0.125, stored 0.125, error 0e+00");
+  progress.water = a_failure().water;
+  EXPECT_EQ(
+      progress_text(progress, 2400.0, 50.0),
+      "2400 s of 2400 s  100 %  clock x1  displacement 0 mm  water (m3/m): rain 2.5, in 1.5, run-off 1, out 0.25, "
+      "of it seepage 0.125, evaporation 0.0625, stored 1.25, error 1e-09");
 }
 
 }  // namespace

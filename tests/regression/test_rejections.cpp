@@ -13,6 +13,7 @@
 #include "run_curves.hpp"
 #include "run_folder.hpp"
 #include "table_difference.hpp"
+#include "time_unit.hpp"
 
 // The comparison itself: each of these changes, made on purpose to what the short slope gave, must be seen.
 namespace slope::testing {

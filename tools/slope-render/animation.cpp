@@ -1,6 +1,7 @@
 #include "animation.hpp"
 
 #include "contour_picture.hpp"
+#include "time_unit.hpp"
 
 namespace slope::tools {
 

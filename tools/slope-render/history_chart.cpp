@@ -7,6 +7,7 @@
 
 #include "colour_maps.hpp"
 #include "plot_frame.hpp"
+#include "time_unit.hpp"
 
 namespace slope::tools {
 namespace {
@@ -47,12 +48,13 @@ Styles line_styles(const std::vector<std::string>& names, double em) {
   return styles;
 }
 
+/// `times` in s, the frame's axis in a unit of so many.
 std::vector<Pixel> to_pixels(const PlotFrame& frame, const std::vector<double>& times,
-                             const std::vector<double>& values) {
+                             const std::vector<double>& values, const TimeUnit& unit) {
   std::vector<Pixel> points;
   for (std::size_t i = 0; i < std::min(times.size(), values.size()); ++i) {
     if (std::isfinite(values[i])) {
-      points.push_back(frame.at(times[i], values[i]));
+      points.push_back(frame.at(times[i] / unit.seconds, values[i]));
     }
   }
   return thinned(points, 1.0);
@@ -71,20 +73,21 @@ std::vector<std::string> curve_names(const std::vector<HistoryChart>& charts) {
   return names;
 }
 
-void draw_curves(Canvas& canvas, const PlotFrame& frame, const HistoryChart& chart, const Styles& styles) {
+void draw_curves(Canvas& canvas, const PlotFrame& frame, const HistoryChart& chart, const TimeUnit& unit,
+                 const Styles& styles) {
   if (frame.y.low < 0.0 && frame.y.high > 0.0) {
     canvas.stroke({frame.at(frame.x.low, 0.0), frame.at(frame.x.high, 0.0)}, {0.05 * canvas.em(), ink, {}});
   }
   for (const Curve& curve : chart.curves) {
-    canvas.stroke(to_pixels(frame, chart.times, curve.values), styles.at(curve.name));
+    canvas.stroke(to_pixels(frame, chart.times, curve.values, unit), styles.at(curve.name));
   }
 }
 
-/// A line at the onset and, above the frame, its time, not further to the left than `leftmost`.
-void draw_onset(Canvas& canvas, const PlotFrame& frame, double onset, double leftmost) {
+/// A line at the onset (s) and, above the frame, its time, not further to the left than `leftmost`.
+void draw_onset(Canvas& canvas, const PlotFrame& frame, double onset, const TimeUnit& unit, double leftmost) {
   const double em = canvas.em();
   const Box& box = frame.box;
-  const double x = frame.at(onset, 0.0).x;
+  const double x = frame.at(onset / unit.seconds, 0.0).x;
   canvas.stroke({{x, box.bottom}, {x, box.top}}, {0.08 * em, ink, {0.4 * em, 0.3 * em}});
   const std::string note = "onset of failure, t = " + time_text(onset);
   const double half = 0.5 * canvas.text_width(note);
@@ -116,6 +119,14 @@ void draw_legend(Canvas& canvas, Pixel upper_left, const std::vector<std::string
 
 Range times_of(const HistoryChart& chart) {
   return {0.0, chart.times.empty() || chart.times.back() <= 0.0 ? 1.0 : chart.times.back()};
+}
+
+Range in_unit(const Range& times, const TimeUnit& unit) {
+  return {times.low / unit.seconds, times.high / unit.seconds};
+}
+
+std::string time_title(const TimeUnit& unit) {
+  return "Time t (" + unit.name + ")";
 }
 
 }  // namespace
@@ -159,18 +170,19 @@ void write_history_chart(const std::filesystem::path& file, int width, const His
   const double right = width - legend_room(canvas, names);
 
   PlotFrame frame;
-  frame.x = times_of(chart);
+  const TimeUnit unit = time_unit(times_of(chart).high);
+  frame.x = in_unit(times_of(chart), unit);
   const Range values = common_values({chart});
   const Axis y{chart.y_title, round_step(values, (top - bottom) / (2.8 * em))};
   frame.y = widened(values, 0.5 * y.step);
   frame.box = {room_on_the_left(canvas, frame.y, y), bottom, right, top};
-  draw_axes(canvas, frame, axis_for("Time t (s)", frame.x, frame.box.width(), 5.0 * em), y, true);
+  draw_axes(canvas, frame, axis_for(time_title(unit), frame.x, frame.box.width(), 5.0 * em), y, true);
 
   const Styles styles = line_styles(names, em);
-  draw_curves(canvas, frame, chart, styles);
+  draw_curves(canvas, frame, chart, unit, styles);
   draw_legend(canvas, {right, top}, names, styles);
   if (chart.onset) {
-    draw_onset(canvas, frame, *chart.onset, frame.box.left);
+    draw_onset(canvas, frame, *chart.onset, unit, frame.box.left);
   }
   canvas.fitted_text({frame.box.left, canvas.height() - 1.05 * em}, chart.title, width - frame.box.left - em);
   canvas.write_png(file);
@@ -192,19 +204,20 @@ void write_stacked_histories(const std::filesystem::path& file, int width, const
   PlotFrame frame;
   frame.y = widened(values, 0.5 * y.step);
   const auto times = time_ranges(charts);
+  const TimeUnit unit = time_unit(std::ranges::max_element(times, {}, &Range::high)->high);
   double top = canvas.height() - above;
   const double right = width - legend_room(canvas, names);
   draw_legend(canvas, {right, top}, names, styles);
   for (std::size_t i = 0; i < charts.size(); ++i) {
-    frame.x = times[i];
+    frame.x = in_unit(times[i], unit);
     frame.box = {room_on_the_left(canvas, frame.y, y), top - panel_height, right, top};
     const bool lowest = i + 1 == charts.size();
-    draw_axes(canvas, frame, axis_for(lowest ? "Time t (s)" : "", frame.x, frame.box.width(), 5.0 * em), y, true);
-    draw_curves(canvas, frame, charts[i], styles);
+    draw_axes(canvas, frame, axis_for(lowest ? time_title(unit) : "", frame.x, frame.box.width(), 5.0 * em), y, true);
+    draw_curves(canvas, frame, charts[i], unit, styles);
     const std::string caption = lettered(i, charts[i].title);
     canvas.text({frame.box.left, top + 0.85 * em}, caption);
     if (charts[i].onset) {
-      draw_onset(canvas, frame, *charts[i].onset, frame.box.left + canvas.text_width(caption) + 1.2 * em);
+      draw_onset(canvas, frame, *charts[i].onset, unit, frame.box.left + canvas.text_width(caption) + 1.2 * em);
     }
     top -= panel_height + between;
   }

@@ -15,6 +15,7 @@
 #include "panel_picture.hpp"
 #include "retention_chart.hpp"
 #include "run_curves.hpp"
+#include "time_unit.hpp"
 
 namespace slope::tools {
 namespace {

@@ -9,6 +9,7 @@
 #include "history_chart.hpp"
 #include "profile_chart.hpp"
 #include "run_curves.hpp"
+#include "time_unit.hpp"
 
 namespace slope::tools {
 namespace {

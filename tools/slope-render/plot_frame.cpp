@@ -66,11 +66,6 @@ std::string number_text(double value, double step) {
   return value < 0.0 && !zero ? "\u2212" + digits : digits;
 }
 
-std::string time_text(double seconds) {
-  const double tenths = std::round(10.0 * seconds) / 10.0;
-  return fmt::format("{:.{}f} s", tenths, tenths == std::round(tenths) ? 0 : 1);
-}
-
 std::string lettered(std::size_t index, const std::string& caption) {
   return fmt::format("({}) {}", static_cast<char>('a' + index), caption);
 }

@@ -24,8 +24,6 @@ struct Range {
 [[nodiscard]] std::string number_text(double value, double step);
 /// The widest of the numbers at the multiples of a step (pixels).
 [[nodiscard]] double widest_number(const Canvas& canvas, const Range& range, double step);
-/// A time, with a decimal if it is not a whole number: "459.1 s".
-[[nodiscard]] std::string time_text(double seconds);
 /// A caption with "(a) ", "(b) ", ... before it.
 [[nodiscard]] std::string lettered(std::size_t index, const std::string& caption);
 

@@ -14,6 +14,7 @@
 #include "field_image.hpp"
 #include "plot_frame.hpp"
 #include "slope/couple/read_case.hpp"
+#include "time_unit.hpp"
 
 namespace slope::tools {
 namespace {

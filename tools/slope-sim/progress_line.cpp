@@ -1,10 +1,13 @@
 #include "progress_line.hpp"
 
 #include <fmt/format.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <cmath>
 #include <cstdio>
+
+#include "time_unit.hpp"
 
 namespace slope::tools {
 
@@ -18,19 +21,43 @@ std::string duration_text(double seconds) {
   return fmt::format("{}:{:02}", whole / 60, whole % 60);
 }
 
+/// The water's books (m3/m), save what is zero.
+std::string water_text(const couple::WaterBudget& water) {
+  std::string text;
+  const auto add = [&text](const char* name, double amount) {
+    if (amount != 0.0) text += fmt::format("{}{} {:.3g}", text.empty() ? "" : ", ", name, amount);
+  };
+  add("rain", water.rain);
+  add("in", water.infiltration);
+  add("run-off", water.run_off);
+  add("out", water.outflow);
+  add("of it seepage", water.seepage);
+  add("evaporation", water.evaporation);
+  add("stored", water.storage);
+  if (text.empty()) return "";
+  return fmt::format("  water (m3/m): {}, error {:.0e}", text, water.error);
+}
+
+/// Columns of the terminal; no limit if it does not say.
+std::size_t terminal_width() {
+  winsize size{};
+  return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : std::string::npos;
+}
+
 }  // namespace
 
 std::string progress_text(const couple::Progress& progress, double end_time, double stepping_seconds) {
   const double millimetres = 1000.0 * progress.largest_displacement;
-  std::string text = fmt::format("{:.4g} s of {:g} s  {:3.0f} %  clock x{:.3g}  displacement {}", progress.time,
-                                 end_time, 100.0 * progress.share, progress.clock_factor,
-                                 millimetres < 100.0 ? fmt::format("{:.2g} mm", millimetres)
-                                                     : fmt::format("{:.3g} m", progress.largest_displacement));
-  if (progress.infiltration > 0.0) text += fmt::format("  water in {:.3g} m3/m", progress.infiltration);
+  const TimeUnit unit = time_unit(end_time);
+  std::string text = fmt::format("{:.4g} {} of {:g} {}  {:3.0f} %", progress.time / unit.seconds, unit.name,
+                                 end_time / unit.seconds, unit.name, 100.0 * progress.share);
   if (progress.share > 0.01 && progress.share < 1.0) {
     text += fmt::format("  {} left", duration_text(stepping_seconds * (1.0 - progress.share) / progress.share));
   }
-  return text;
+  text += fmt::format("  clock x{:.3g}  displacement {}", progress.clock_factor,
+                      millimetres < 100.0 ? fmt::format("{:.2g} mm", millimetres)
+                                          : fmt::format("{:.3g} m", progress.largest_displacement));
+  return text + water_text(progress.water);
 }
 
 ProgressLine::ProgressLine(double end_time, bool quiet)
@@ -45,7 +72,7 @@ void ProgressLine::show(const couple::Progress& progress) {
   const std::string line = text(progress);
   if (terminal_) {
     if (line_open_ && elapsed() - last_shown_ < seconds_between_updates) return;
-    std::fprintf(stderr, "\r%s\x1b[K", line.c_str());
+    std::fprintf(stderr, "\r%s\x1b[K", line.substr(0, terminal_width()).c_str());
     std::fflush(stderr);
     line_open_ = true;
     last_shown_ = elapsed();

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "time_unit.hpp"
+
 namespace slope::tools {
 
 namespace {
@@ -11,6 +13,12 @@ std::string end_text(const couple::Case& input, const RunRecord& record) {
   if (record.end_reason == "displacement") return fmt::format("displacement above {:g} m", input.stop.displacement);
   if (record.end_reason == "after_onset") return fmt::format("{:g} s after the onset", input.stop.after_onset);
   return record.end_reason;
+}
+
+/// In seconds, and in its own unit if that is another.
+std::string seconds_text(double seconds) {
+  const std::string text = fmt::format("{:.5g} s", seconds);
+  return time_unit(seconds).seconds == 1.0 ? text : fmt::format("{} ({})", text, time_text(seconds));
 }
 
 std::string zone_text(const couple::FailureZone& zone) {
@@ -24,8 +32,9 @@ std::string zone_text(const couple::FailureZone& zone) {
 std::string onset_text(const couple::Summary& summary) {
   const double centimetres = 100.0 * summary.onset_criterion;
   if (!summary.onset_time) return fmt::format("none (the largest displacement stayed below {:g} cm)", centimetres);
-  return fmt::format("{:.5g} s (largest displacement above {:g} cm), at x = {:.1f} m, y = {:.1f} m",
-                     *summary.onset_time, centimetres, summary.onset_position[0], summary.onset_position[1]);
+  return fmt::format("{} (largest displacement above {:g} cm), at x = {:.1f} m, y = {:.1f} m",
+                     seconds_text(*summary.onset_time), centimetres, summary.onset_position[0],
+                     summary.onset_position[1]);
 }
 
 std::string report_text(const couple::Case& input, const couple::Summary& summary, const RunRecord& record) {
@@ -34,7 +43,7 @@ std::string report_text(const couple::Case& input, const couple::Summary& summar
   const auto line = [&text](std::string_view name, const std::string& content) {
     text += fmt::format("  {:<15}  {}\n", name, content);
   };
-  line("end", fmt::format("{:.5g} s ({})", summary.time, end_text(input, record)));
+  line("end", fmt::format("{} ({})", seconds_text(summary.time), end_text(input, record)));
   line("onset", onset_text(summary));
   line("displacement", fmt::format("{:.3g} m at most", summary.largest_displacement));
   const std::string threshold = fmt::format("deviatoric strain above {:g} %", 100.0 * input.failure_zone_strain);

@@ -49,6 +49,20 @@ TEST(VanGenuchtenMualemPermeability, RisesFromZeroToOneOverItsRange) {
   EXPECT_NEAR(law.evaluate(0.0, 0.5), std::sqrt(0.5) * std::pow(1.0 - std::sqrt(0.75), 2), 1e-14);
 }
 
+TEST(VanGenuchtenMualemPermeability, WithAnAirEntryFallsFromOneThere) {
+  const VanGenuchten retention{.alpha = 0.8, .n = 1.09, .range = {}, .air_entry = 0.02};
+  const VanGenuchtenMualem law{1.09, {}, retention.entry_saturation()}, plain{1.09, {}};
+  const VanGenuchten formula{.alpha = 0.8, .n = 1.09, .range = {}};
+  EXPECT_EQ(law.evaluate(0.0, 1.0), 1.0);
+  EXPECT_LT(plain.evaluate(0.0, formula.evaluate(0.001).saturation), 0.5) << "without it, after a millimetre";
+  // above the air entry both fall alike, save for the square root of S_e
+  const auto ratio = [&](double h) {
+    const double k = law.evaluate(0.0, retention.evaluate(h).saturation) / std::sqrt(retention.evaluate(h).saturation);
+    return k / (plain.evaluate(0.0, formula.evaluate(h).saturation) / std::sqrt(formula.evaluate(h).saturation));
+  };
+  EXPECT_NEAR(ratio(0.5), ratio(0.05), 1e-9 * ratio(0.5));
+}
+
 TEST(RelativePermeabilities, HoldTheirFloorAndAreOneWhenSaturated) {
   for (const RelativePermeability& law :
        {RelativePermeability{HillelPower{}, 1.0e-4}, RelativePermeability{LiakopoulosPermeability{}, 1.0e-4},
@@ -78,10 +92,12 @@ struct Pores {
 
 TEST(RelativePermeabilities, HaveTheSlopeOfTheirCurves) {
   const SaturationRange range{0.1, 0.95};
-  const VanGenuchten sand{.alpha = 3.0, .n = 2.7, .range = range}, clay{.alpha = 0.8, .n = 1.09, .range = range};
+  const VanGenuchten sand{.alpha = 3.0, .n = 2.7, .range = range}, clay{.alpha = 0.8, .n = 1.09, .range = range},
+      entry{.alpha = 0.8, .n = 1.09, .range = range, .air_entry = 0.02};
   const double floor = 1.0e-9;
   for (const Pores& pores :
        {Pores{sand, {HillelPower{.exponent = 3.5}, floor}}, Pores{sand, {VanGenuchtenMualem{2.7, range}, floor}},
+        Pores{entry, {VanGenuchtenMualem{1.09, range, entry.entry_saturation()}, floor}},
         Pores{clay, {VanGenuchtenMualem{1.09, range}, floor}}, Pores{sand, {ExponentialPermeability{2.0}, floor}},
         Pores{LiakopoulosRetention{}, {LiakopoulosPermeability{}, floor}},
         Pores{LiakopoulosRetention{}, {LiakopoulosPermeability{2.207, 1.0121}, floor}}}) {

@@ -62,6 +62,8 @@ INSTANTIATE_TEST_SUITE_P(
     Laws, EveryRetention,
     ::testing::Values(Curve{"VanGenuchtenW2", VanGenuchten{.alpha = 0.05, .n = 3.0, .range = {}}, 1.0e3},
                       Curve{"VanGenuchtenClay", VanGenuchten{.alpha = 0.8, .n = 1.09, .range = {0.068, 0.98}}, 1.0e3},
+                      Curve{"VanGenuchtenAirEntry",
+                            VanGenuchten{.alpha = 0.8, .n = 1.09, .range = {0.068, 0.98}, .air_entry = 0.02}, 1.0e3},
                       Curve{"Liakopoulos", LiakopoulosRetention{}, 2.5},
                       Curve{"LiakopoulosFloor", LiakopoulosRetention{.floor = 0.2}, 2.3},
                       Curve{"Exponential", ExponentialRetention{.alpha = 2.0, .range = {0.15, 1.0}}, 10.0}),
@@ -90,6 +92,18 @@ TEST(VanGenuchtenRetention, KeepsToItsResidualAndMaximum) {
   EXPECT_EQ(law.evaluate(-1.0).saturation, 0.9);
   EXPECT_NEAR(law.evaluate(1.0e9).saturation, 0.1, 1e-8);
   EXPECT_TRUE(std::isfinite(law.evaluate(1.0e300).slope));
+}
+
+TEST(VanGenuchtenRetention, StaysWetUpToItsAirEntry) {
+  const VanGenuchten plain{.alpha = 0.8, .n = 1.3, .range = {}};
+  VanGenuchten law = plain;
+  law.air_entry = 0.05;
+  EXPECT_EQ(law.evaluate(0.05).saturation, 1.0);
+  EXPECT_EQ(law.evaluate(0.05).slope, 0.0);
+  EXPECT_NEAR(law.evaluate(0.05 + 1e-9).saturation, 1.0, 1e-8) << "continuous";
+  EXPECT_NEAR(law.entry_saturation(), plain.evaluate(0.05).saturation, 1e-14);
+  EXPECT_NEAR(law.evaluate(3.0).saturation, plain.evaluate(3.0).saturation / law.entry_saturation(), 1e-14);
+  EXPECT_EQ(plain.entry_saturation(), 1.0);
 }
 
 TEST(LiakopoulosRetentionCurve, StaysOnItsFloor) {

@@ -11,6 +11,7 @@
 #include "scratch_folder.hpp"
 #include "slope/couple/read_case.hpp"
 #include "synthetic_slope.hpp"
+#include "time_unit.hpp"
 
 namespace slope::tools::test {
 namespace {
@@ -29,6 +30,9 @@ TEST(PlotFrame, StepsAreRoundAndNumbersHaveTheirDecimals) {
   EXPECT_EQ(number_text(0.125, 0.125), "0.125");
   EXPECT_EQ(time_text(459.13), "459.1 s");
   EXPECT_EQ(time_text(600.0), "600 s");
+  EXPECT_EQ(time_text(10799.0), "10799 s");
+  EXPECT_EQ(time_text(82080.0), "22.8 h");
+  EXPECT_EQ(time_text(5.0 * 86400.0), "5 d");
 }
 
 TEST(HistoryChart, DrawsCurvesAndOnset) {

@@ -43,16 +43,6 @@ struct ParticleTable {
   std::vector<int> soil;                      ///< index into Case::soils
 };
 
-/// What a progress line shows.
-struct Progress {
-  double time = 0.0;                  ///< simulated (s)
-  double share = 0.0;                 ///< of the run that is done (-), in [0, 1]
-  double clock_factor = 1.0;          ///< physical time over the solid's own time (-)
-  double largest_displacement = 0.0;  ///< (m)
-  std::size_t steps = 0;
-  double infiltration = 0.0;  ///< water that came in since the start (m3/m)
-};
-
 /// One column of the history or budget table.
 struct HistoryColumn {
   std::string name;  ///< e.g. "A1 displacement"
@@ -85,6 +75,16 @@ struct WaterBudget {
   double run_off = 0.0;            ///< of it along the ground and away
   double seepage = 0.0;            ///< out of the soil, as water
   double evaporation = 0.0;        ///< out of the soil, into the air
+};
+
+/// What a progress line shows.
+struct Progress {
+  double time = 0.0;                  ///< simulated (s)
+  double share = 0.0;                 ///< of the run that is done (-), in [0, 1]
+  double clock_factor = 1.0;          ///< physical time over the solid's own time (-)
+  double largest_displacement = 0.0;  ///< (m)
+  std::size_t steps = 0;
+  WaterBudget water;  ///< since the start
 };
 
 /// When the largest displacement passed a value.

@@ -8,10 +8,14 @@ namespace slope::seepage {
 ///
 ///     k_rw = sqrt(S_e) (1 - (1 - S_e^(1/m))^m)^2,  m = 1 - 1/n
 ///
-/// with the effective saturation S_e of the soil's retention curve.
+/// with the effective saturation S_e of the soil's retention curve. Where that has an air entry (Vogel et al. 2001),
+///
+///     k_rw = sqrt(S_e) (F(S_e) / F(1))^2,  F(S_e) = 1 - (1 - (S_e S_c)^(1/m))^m,  S_c =
+///     VanGenuchten::entry_saturation()
 struct VanGenuchtenMualem {
-  double n = 0.0;         ///< n' (-), > 1
-  SaturationRange range;  ///< that of the retention curve
+  double n = 0.0;                 ///< n' (-), > 1
+  SaturationRange range;          ///< that of the retention curve
+  double entry_saturation = 1.0;  ///< S_c of the retention curve (-), in (0, 1]
 
   /// @param suction_head h_s (m), not used; @param saturation S_r (-), in [0, 1]; @return k_rw (-), before the floor.
   [[nodiscard]] double evaluate(double suction_head, double saturation) const;
