@@ -10,4 +10,8 @@ Saturation ExponentialRetention::evaluate(double suction_head) const {
   return range.scale(effective, -alpha * effective);
 }
 
+double ExponentialRetention::steepest() const {
+  return 1.0e-6 / alpha;
+}
+
 }  // namespace slope::seepage

@@ -11,4 +11,8 @@ Saturation LiakopoulosRetention::evaluate(double suction_head) const {
   return {1.0 - drop, -exponent * drop / suction_head};
 }
 
+double LiakopoulosRetention::steepest() const {
+  return std::pow((1.0 - floor) / coefficient, 1.0 / exponent) * (1.0 - 1.0e-6);
+}
+
 }  // namespace slope::seepage

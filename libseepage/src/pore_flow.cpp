@@ -23,7 +23,8 @@ PoreFlow::PoreFlow(std::vector<Soil> soils, const Water& water, std::span<const 
   const std::size_t n = pressure_.size();
   for (std::size_t p = 0; p < n; ++p) particles_of_soil_[soil_[p]].push_back(static_cast<std::uint32_t>(p));
   for (auto* v : {&suction_, &saturation_, &pore_stress_, &capacity_, &conductivity_, &head_, &content_, &defect_,
-                  &change_, &stress_change_, &storage_, &right_side_, &diagonal_, &outflow_, &work_, &work2_}) {
+                  &change_, &stress_change_, &storage_, &right_side_, &diagonal_, &outflow_, &work_, &work2_,
+                  &storage_offset_, &storage_slope_, &touched_}) {
     v->assign(n, 0.0);
   }
   is_held_.assign(n, 0);
@@ -155,6 +156,62 @@ bool PoreFlow::switch_open_faces(const Boundary& boundary, double time_step, dou
     switched = true;
   }
   return switched;
+}
+
+// The right side without the offsets of storage over the one with them, in the solver's norm.
+double PoreFlow::offset_share() {
+  double without = 0.0, with = 0.0;
+  for (std::size_t p = 0; p < pressure_.size(); ++p) {
+    const double first = right_side_[p] + storage_offset_[p];
+    without += first * first / diagonal_[p];
+    with += right_side_[p] * right_side_[p] / diagonal_[p];
+  }
+  return with > 0.0 ? std::sqrt(without / with) : 1.0;
+}
+
+// The tangent at a pressure.
+PoreFlow::Tangent PoreFlow::tangent_at(std::size_t p, double pressure, const Skeleton& skeleton) const {
+  const Saturation s = std::visit([&](const auto& law) { return law.evaluate(-pressure / water_.unit_weight()); },
+                                  soils_[soil_[p]].retention);
+  const double pores = skeleton.volume[p] * skeleton.porosity[p];
+  const double stored = pores * (s.saturation * (1.0 + pressure / water_.bulk_modulus) -
+                                 saturation_[p] * (1.0 + pressure_[p] / water_.bulk_modulus));
+  const double slope = pores * (s.saturation / water_.bulk_modulus - s.slope / water_.unit_weight());
+  return {p, stored - slope * (pressure - pressure_[p]), slope, pressure};
+}
+
+// Puts the tangents of the retention curves at the pressure just found into the equations, if what the present ones get
+// wrong exceeds the tolerable (m2, root of the sum of squares). @return whether it did.
+bool PoreFlow::follow_retention(const Skeleton& skeleton, double tolerable) {
+  constexpr double straight = 0.01;  // relative change of the suction within which a curve counts as its tangent
+  double squares = 0.0;
+  tangents_.clear();
+  for (std::size_t p = 0; p < pressure_.size(); ++p) {
+    const double before = pressure_[p], now = before + change_[p];
+    const bool on_tangent = (before > 0.0 && now > 0.0) || std::abs(change_[p]) < -straight * before;
+    if (on_tangent && storage_offset_[p] == 0.0) continue;
+    tangents_.push_back(tangent_at(p, now, skeleton));
+    const Tangent& tangent = tangents_.back();
+    const double wrong = tangent.offset - storage_offset_[p] + (tangent.slope - storage_slope_[p]) * change_[p];
+    squares += wrong * wrong;
+  }
+  if (squares <= tolerable * tolerable) return false;
+  for (Tangent& tangent : tangents_) {
+    const std::size_t p = tangent.particle;
+    // from the wet side not past the steepest place, behind which Newton's method would be thrown back further each
+    // time
+    const double steepest =
+        std::visit([&](const auto& law) { return -law.steepest() * water_.unit_weight(); }, soils_[soil_[p]].retention);
+    if (tangent.touched < steepest && touched_[p] > steepest) tangent = tangent_at(p, steepest, skeleton);
+    const double stiffer = tangent.slope - storage_slope_[p];
+    storage_[p] += stiffer;
+    diagonal_[p] += stiffer;
+    right_side_[p] -= tangent.offset - storage_offset_[p];
+    storage_slope_[p] = tangent.slope;
+    storage_offset_[p] = tangent.offset;
+    touched_[p] = tangent.touched;
+  }
+  return true;
 }
 
 void PoreFlow::finish(double time_step, const Skeleton& skeleton, const Boundary& boundary) {

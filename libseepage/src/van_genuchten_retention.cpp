@@ -1,5 +1,6 @@
 #include "slope/seepage/van_genuchten_retention.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace slope::seepage {
@@ -14,6 +15,11 @@ Saturation VanGenuchten::evaluate(double suction_head) const {
   const double x = std::exp(n * std::log(alpha * suction_head));
   const double effective = std::exp(-m * std::log1p(x)) / entry_saturation();
   return range.scale(effective, -m * n * effective / ((1.0 + 1.0 / x) * suction_head));
+}
+
+double VanGenuchten::steepest() const {
+  const double inflection = std::pow(1.0 - 1.0 / n, 1.0 / n) / alpha;
+  return std::max(inflection, air_entry * (1.0 + 1.0e-6));
 }
 
 }  // namespace slope::seepage

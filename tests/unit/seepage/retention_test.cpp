@@ -50,6 +50,12 @@ TEST_P(EveryRetention, FallsFromItsMaximumWithinItsRange) {
   }
 }
 
+TEST_P(EveryRetention, IsSteepestWhereItSays) {
+  const double steepest = std::visit([](const auto& law) { return law.steepest(); }, GetParam().law);
+  ASSERT_GT(steepest, 0.0);
+  for (double h = 1.0e-3; h < 1.0e4; h *= 1.01) EXPECT_LE(-at(h).slope, -at(steepest).slope * (1.0 + 1.0e-5)) << h;
+}
+
 TEST_P(EveryRetention, IsSaturatedBelowTheWaterLevel) {
   for (const double h : {0.0, -1.0e-9, -3.0, -1.0e6}) {
     EXPECT_EQ(at(h).saturation, at(0.0).saturation);

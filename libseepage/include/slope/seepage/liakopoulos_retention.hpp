@@ -17,6 +17,8 @@ struct LiakopoulosRetention {
 
   /// @param suction_head h_s = s / gamma_w (m), any sign.
   [[nodiscard]] Saturation evaluate(double suction_head) const;
+  /// Suction head at which the curve is steepest (m), > 0.
+  [[nodiscard]] double steepest() const;
 };
 
 }  // namespace slope::seepage

@@ -65,7 +65,9 @@ class PoreFlow {
   ///
   ///     [V (n S_r/K_w + C_s) + t L/gamma_w + S_r R S_r] dP = -S_r V e - t L h + boundary terms + defect
   ///
-  /// by conjugate gradients with diagonal preconditioner. What they leave is the next step's defect.
+  /// by conjugate gradients with diagonal preconditioner. Where a particle gets so much wetter or drier that the slope
+  /// of its retention curve does not hold, Newton's method follows the curve. What both leave is the next step's
+  /// defect.
   /// @param time_step  t (s), > 0; @param strain  volumetric strain e of the skeleton at unchanged pressure (-),
   /// expansion positive; @param response  R; @param tolerance  reduction of the residual, in (0, 1)
   template <VolumeResponse Response>
@@ -117,8 +119,9 @@ class PoreFlow {
   [[nodiscard]] double unexplained_water() const;
 
  private:
-  // At most so many times a step is solved until its open faces stay with their parts of the law.
-  static constexpr int most_switches = 8;
+  // At most so many times a step is solved until its open faces stay with their parts of the law and its storage keeps
+  // to the retention curves.
+  static constexpr int most_passes = 20;
 
   // A flow through a face, and how it changes with the particle's pressure.
   struct FaceConductance {
@@ -134,6 +137,14 @@ class PoreFlow {
     [[nodiscard]] double outflow(double at_head) const { return std::max(0.0, rate + slope * (at_head - head)); }
   };
 
+  // Of what a particle stores in a step, over the pressure at its end.
+  struct Tangent {
+    std::size_t particle = 0;
+    double offset = 0.0;   // (m2)
+    double slope = 0.0;    // (m2/Pa)
+    double touched = 0.0;  // (Pa)
+  };
+
   void evaluate_soil();
   void find_head(const Skeleton& skeleton);
   [[nodiscard]] double water_of(std::size_t p, const Skeleton& skeleton) const;
@@ -144,6 +155,9 @@ class PoreFlow {
   void find_open_face_laws(const Boundary& boundary);
   void find_drain_laws(const Boundary& boundary);
   bool switch_open_faces(const Boundary& boundary, double time_step, double flow_scale);
+  [[nodiscard]] Tangent tangent_at(std::size_t p, double pressure, const Skeleton& skeleton) const;
+  bool follow_retention(const Skeleton& skeleton, double tolerable);
+  [[nodiscard]] double offset_share();
   void take_in_boundary_flow(const Boundary& boundary);
   void conclude(double time_step, const Skeleton& skeleton, const Boundary& boundary);
   void book(double time_step, const Skeleton& skeleton, const Boundary& boundary);
@@ -175,6 +189,9 @@ class PoreFlow {
   std::vector<DrainLaw> drain_laws_;           // of the present step's drains
 
   std::vector<double> storage_, right_side_, diagonal_, outflow_, work_, work2_;
+  // What a particle stores in the step is taken as offset + slope dP, the tangent at the pressure touched.
+  std::vector<double> storage_offset_, storage_slope_, touched_;
+  std::vector<Tangent> tangents_;
   std::vector<std::uint8_t> is_held_;
   std::optional<TwoPassOperator> two_pass_;  // of explicit steps only
   std::vector<double> wx_, wy_;

@@ -20,7 +20,10 @@ SolveReport PoreFlow::solve(double time_step, const Skeleton& skeleton, std::spa
   response.diagonal(work_);
   for (std::size_t p = 0; p < n; ++p) {
     const double s = saturation_[p];
-    storage_[p] = skeleton.volume[p] * skeleton.porosity[p] * (s / water_.bulk_modulus + capacity_[p]);
+    storage_slope_[p] = skeleton.volume[p] * skeleton.porosity[p] * (s / water_.bulk_modulus + capacity_[p]);
+    storage_offset_[p] = 0.0;
+    touched_[p] = pressure_[p];
+    storage_[p] = storage_slope_[p];
     right_side_[p] = -s * skeleton.volume[p] * strain[p] - time_step * outflow_[p] + defect_[p];
     diagonal_[p] = storage_[p] + flow_scale * operator_.diagonal()[p] + s * s * work_[p];
   }
@@ -75,11 +78,14 @@ SolveReport PoreFlow::solve(double time_step, const Skeleton& skeleton, std::spa
   };
   std::fill(change_.begin(), change_.end(), 0.0);
   SolveReport report;
-  for (int pass = 0; pass < most_switches; ++pass) {
-    const auto result = solver_.solve(reduced, diagonal_, right_side_, change_, tolerance, 500, settings_.threads);
+  const double tolerable = tolerance * std::sqrt(blocked_dot(right_side_, right_side_, settings_.threads));
+  for (int pass = 0; pass < most_passes; ++pass) {
+    const double reduction = pass == 0 ? tolerance : std::min(tolerance, tolerance * offset_share());
+    const auto result = solver_.solve(reduced, diagonal_, right_side_, change_, reduction, 500, settings_.threads);
     report.iterations += result.iterations;
     report.converged = result.converged;
-    if (!switch_open_faces(boundary, time_step, flow_scale)) break;
+    const bool switched = switch_open_faces(boundary, time_step, flow_scale);
+    if (!follow_retention(skeleton, tolerable) && !switched) break;
   }
   for (const HeldPressure& held : boundary.held) change_[held.particle] = held.pressure - pressure_[held.particle];
   for (std::size_t p = 0; p < n; ++p) {

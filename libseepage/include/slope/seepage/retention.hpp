@@ -8,7 +8,8 @@
 
 namespace slope::seepage {
 
-/// The water retention curve of a soil: one of the laws, each with evaluate(suction head) -> Saturation.
+/// The water retention curve of a soil: one of the laws, each with evaluate(suction head) -> Saturation
+/// and steepest() -> suction head of the largest slope.
 using Retention = std::variant<VanGenuchten, LiakopoulosRetention, ExponentialRetention>;
 
 }  // namespace slope::seepage
