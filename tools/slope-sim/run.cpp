@@ -18,6 +18,8 @@ namespace slope::tools {
 
 namespace {
 
+constexpr double stands = 1.0e-3;  // unbalanced over gravity forces, below which a slope is at rest before the start
+
 /// One run: the simulation, where its results go, and what is shown of it.
 class Run {
  public:
@@ -61,11 +63,24 @@ class Run {
     progress_.begin_steps();
     writer_.log(
         fmt::format("{:.1f} s: initial state of {} particles", progress_.elapsed(), simulation_.summary().particles));
+    warn_of_unbalanced_start();
     writer_.begin_history(simulation_.history_columns());
     writer_.begin_budget(couple::Simulation::budget_columns());
     add_rows();
     writer_.add_snapshot(simulation_.particles(), "start");
     write_summary();
+  }
+
+  void warn_of_unbalanced_start() {
+    const double unbalanced = simulation_.summary().initial_unbalanced_ratio;
+    if (unbalanced < stands) return;
+    const std::string text = fmt::format(
+        "no balance was found before the start: {:.1f} % of the weight stays unbalanced, so the slope begins to move "
+        "at "
+        "once; make it stronger, flatter or drier, or take it for what it is",
+        100.0 * unbalanced);
+    writer_.log(text);
+    progress_.say(text);
   }
 
   /// @return whether the run is over.

@@ -145,6 +145,7 @@ std::string full_case() {
           "from_plastic_strain: 1 %, to_plastic_strain: 10 %, characteristic_length: 0.25 m}\n");
   replace("relative_permeability: {model: hillel, exponent: 2}",
           "relative_permeability: {model: van_genuchten_mualem, floor: 1e-7}");
+  replace("      n: 3\n", "      n: 3\n      air_entry: 2 cm\n");
   content +=
       "  snapshots: [3 s, 1 s, 3 s]\n"
       "seismic: {horizontal_coefficient: 0.1, vertical_coefficient: -5 %, start: 2 s, ramp: 3 s}\n"
@@ -211,6 +212,9 @@ TEST(CaseValues, EveryKeyReachesTheCase) {
   const auto& permeability = input.soils.at(0).seepage.relative_permeability;
   EXPECT_EQ(std::get<seepage::VanGenuchtenMualem>(permeability.law).n, 3.0);
   EXPECT_EQ(permeability.floor, 1.0e-7);
+  const auto& curve = std::get<seepage::VanGenuchten>(input.soils.at(0).seepage.retention);
+  EXPECT_EQ(curve.air_entry, 0.02);
+  EXPECT_EQ(std::get<seepage::VanGenuchtenMualem>(permeability.law).entry_saturation, curve.entry_saturation());
   EXPECT_EQ(input.numerics.shape_function, ShapeFunction::linear);
   EXPECT_EQ(input.numerics.flip_fraction, 0.95);
   EXPECT_EQ(input.numerics.courant_number, 0.3);

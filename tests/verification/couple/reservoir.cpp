@@ -95,5 +95,60 @@ TEST(Reservoir, PushesABlockByTheDifferenceOfTwoLevels) {
                      near(1.0, 0.005), velocity / exact, ""));
 }
 
+// What bears the stress ratio is the buoyant weight.
+TEST(Reservoir, LeavesTheRatioOfAK0StressAlone) {
+  auto overrides = flooded("6.5 m");
+  overrides[0] = "initial={water: {type: hydrostatic, water_table: 6.5 m}, stress: k0, k0_coefficient: 0.6}";
+  const couple::ParticleTable table = start_case("ground.yaml", overrides).particles();
+  double error = 0.0;
+  for (std::size_t p = 0; p < table.position.size(); ++p) {
+    const double y = table.position[p][1];
+    if (y < 0.5 || y > 1.5)
+      continue;  // the cells at the base and the surface bear less exactly, with or without a lake
+    const double vertical = -table.stress_effective[p].yy, depth = 2.0 - y;
+    EXPECT_NEAR(vertical, 0.65 * (2700.0 - 1000.0) * 9.81 * depth, 0.02 * 0.65 * 1700.0 * 9.81 * 2.0);
+    error = std::max(error, std::abs(-table.stress_effective[p].xx / vertical / 0.6 - 1.0));
+  }
+  EXPECT_TRUE(record("reservoir-k0", "Level ground under a lake, K0 = 0.6: error of the stress ratio", at_most(1e-3),
+                     error, ""));
+}
+
+// A dam between two reservoirs, 5 m high and 6 m long, in soil with a capillary fringe of 5 cm: Charny's discharge, and
+// what the fringe adds (see dam_test.cpp).
+TEST(Reservoir, SteadyFlowThroughADamHoldsBeforeTheStart) {
+  const double upstream = 4.0, downstream = 1.0, length = 6.0, conductivity = 1e-4, alpha = 20.0;
+  couple::Simulation simulation = start_case(
+      "ground.yaml",
+      {"domain={lower: [0 m, 0 m], upper: [10 m, 6 m], cell_size: 0.25 m, particles_per_cell: 4}",
+       "geometry.0.polygon=[[2 m, 0 m], [8 m, 0 m], [8 m, 5 m], [2 m, 5 m]]",
+       "soils.sand.hydraulic_conductivity=1e-4 m/s",
+       "soils.sand.retention={model: exponential, alpha: 20 1/m, residual_saturation: 0.1, maximum_saturation: 1}",
+       "soils.sand.relative_permeability={model: exponential, alpha: 20 1/m}",
+       "initial.water={type: steady, water_table: 3 m}", "coupling.scheme=seepage",
+       "water_boundaries=[{name: lake, at: free_surface, to: 4 m, initial: true, reservoir: {level: 4 m}}, {name: "
+       "pond, at: "
+       "free_surface, from: 6 m, initial: true, reservoir: {level: 1 m}}]",
+       "stop.time=1 h", "output.history_interval=1 h"});
+  const couple::ParticleTable table = simulation.particles();
+  double exit_height = downstream;
+  for (std::size_t p = 0; p < table.position.size(); ++p) {
+    if (table.position[p][0] > 7.9 && table.pore_pressure[p] > 0.0) {
+      exit_height = std::max(exit_height, table.position[p][1] + 0.0625);
+    }
+  }
+  EXPECT_GT(exit_height, downstream + 0.1) << "there is an exit face";
+  run(simulation, [](const couple::ParticleTable&) {});
+  const couple::WaterBudget water = simulation.summary().water;
+  EXPECT_NEAR(water.infiltration, water.by_boundary.at("lake"), 1e-9 * water.infiltration);
+  EXPECT_LT(std::abs(water.storage), 1e-4 * water.infiltration) << "steady";
+  const double fringe = conductivity * (upstream - exit_height) / (alpha * length);
+  const double exact = conductivity * (upstream * upstream - downstream * downstream) / (2.0 * length);
+  EXPECT_TRUE(
+      record("reservoir-dam",
+             "Dam between two reservoirs, steady before the start: discharge without the fringe's, over K (h1^2 - "
+             "h2^2) / 2L",
+             near(1.0, 0.02), (water.infiltration / 3600.0 - fringe) / exact, ""));
+}
+
 }  // namespace
 }  // namespace slope::testing
