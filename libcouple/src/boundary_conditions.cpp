@@ -1,6 +1,7 @@
 #include "boundary_conditions.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 
 namespace slope::couple {
@@ -47,6 +48,12 @@ double TimeSeries::at(double time) const {
   return before.value + (after->value - before.value) * ((time - before.time) / (after->time - before.time));
 }
 
+double TimeSeries::rate_after(double time) const {
+  const auto after = std::ranges::find_if(points, [time](const TimedValue& point) { return point.time > time; });
+  if (after == points.end() || after == points.begin()) return 0.0;
+  return (after->value - (after - 1)->value) / (after->time - (after - 1)->time);
+}
+
 double TimeSeries::highest() const {
   return std::ranges::max_element(points, {}, &TimedValue::value)->value;
 }
@@ -56,6 +63,7 @@ BoundaryConditions::BoundaryConditions(const Case& input, const InitialParticles
       tractions_(input.tractions),
       seismic_(input.seismic),
       gravity_(input.gravity),
+      unit_weight_(input.water.unit_weight()),
       face_distance_(particles.face_distance),
       first_cover_(particles.x.size(), Cover::none),
       spacing_(particles.spacing),
@@ -69,7 +77,9 @@ BoundaryConditions::BoundaryConditions(const Case& input, const InitialParticles
     water_particles_.push_back(particles_at(boundary.where, particles));
     names_.push_back(boundary.name);
     add_times(boundary.start, boundary.ramp);
-    if (boundary.where.place == Place::free_surface) continue;
+    const bool covers =
+        boundary.where.place != Place::free_surface && !std::holds_alternative<FreeDrainage>(boundary.condition);
+    if (!covers) continue;
     for (const std::size_t p : water_particles_.back()) first_cover_[p] = Cover::condition;
   }
   for (const WaterBoundary& boundary : water_) {
@@ -84,8 +94,7 @@ BoundaryConditions::BoundaryConditions(const Case& input, const InitialParticles
     add_times(seismic_.start, seismic_.ramp);
   }
   std::ranges::sort(change_times_);
-  const auto repeated = std::ranges::unique(change_times_);
-  change_times_.erase(repeated.begin(), repeated.end());
+  change_times_.erase(std::unique(change_times_.begin(), change_times_.end()), change_times_.end());
   first_pressure_.assign(particles.x.size(), 0.0);
 }
 
@@ -159,6 +168,20 @@ double BoundaryConditions::next_change(double time) const {
     }
   }
   return next;
+}
+
+double BoundaryConditions::prescribed_rate(double time) const {
+  double fastest = 0.0;
+  const auto look_at = [&](const TimeSeries& series, double factor) {
+    fastest = std::max(fastest, factor * std::abs(series.rate_after(time)));
+  };
+  for (const WaterBoundary& boundary : water_) {
+    if (const auto* reservoir = std::get_if<Reservoir>(&boundary.condition)) look_at(reservoir->level, unit_weight_);
+    const auto* held = std::get_if<PrescribedPressure>(&boundary.condition);
+    if (held == nullptr) continue;
+    look_at(held->total_head ? *held->total_head : held->pressure, held->total_head ? unit_weight_ : 1.0);
+  }
+  return fastest;
 }
 
 // Puts the surface below the levels under water.

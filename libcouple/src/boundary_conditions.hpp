@@ -30,8 +30,10 @@ class BoundaryConditions {
 
   /// Times at which a condition begins or ends its ramp, ascending (s).
   [[nodiscard]] const std::vector<double>& change_times() const { return change_times_; }
-  /// The first time after the one given (s) at which a rain changes or a level has a point.
+  /// The first time after the one given (s) at which a rain changes or a level, pressure, head or flux has a point.
   [[nodiscard]] double next_change(double time) const;
+  /// How fast the fastest of the prescribed pressures, heads and levels changes just after a time (Pa/s), >= 0.
+  [[nodiscard]] double prescribed_rate(double time) const;
   /// Whether a boundary of the water's books is the open air, whose parts the water counts as air_flow(): rain, or what
   /// a reservoir leaves dry.
   [[nodiscard]] bool is_open(std::size_t boundary) const {
@@ -54,7 +56,7 @@ class BoundaryConditions {
   std::vector<WaterBoundary> water_;
   std::vector<Traction> tractions_;
   Seismic seismic_;
-  double gravity_;
+  double gravity_, unit_weight_;
   std::vector<std::vector<std::size_t>> water_particles_, traction_particles_;
   std::vector<std::string> names_;
   std::vector<double> change_times_;

@@ -112,20 +112,28 @@ bool overlap(const PlaceRange& a, const PlaceRange& b) {
 }
 
 /// A particle whose pressure is held, or on which rain falls or water stands, takes no second such condition of that
-/// place. Rain may fall on a reservoir.
+/// place. Rain may fall on a reservoir, and fluxes add to each other and to free drainage.
 void check_overlaps(const Input& place, const std::vector<WaterBoundary>& boundaries) {
-  const auto held = [](const WaterBoundary& boundary) {
-    return !std::holds_alternative<PrescribedFlux>(boundary.condition);
+  const auto flux = [](const WaterBoundary& boundary) {
+    return std::holds_alternative<PrescribedFlux>(boundary.condition);
+  };
+  const auto drain = [](const WaterBoundary& boundary) {
+    return std::holds_alternative<FreeDrainage>(boundary.condition);
   };
   for (std::size_t i = 0; i < boundaries.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
-      if (!overlap(boundaries[i].where, boundaries[j].where) || !(held(boundaries[i]) || held(boundaries[j]))) continue;
-      const bool surface = boundaries[i].where.place == Place::free_surface;
-      const bool rain = std::holds_alternative<Rain>(boundaries[i].condition);
-      if (surface && rain != std::holds_alternative<Rain>(boundaries[j].condition)) continue;
-      const char* what = !surface ? "a pressure can be held" : rain ? "rain can fall" : "water can stand";
-      place.item(i).problem(fmt::format("overlaps with \"{}\", and {} only once; part them by \"from\" and \"to\"",
-                                        boundaries[j].name, what));
+      const WaterBoundary &a = boundaries[i], &b = boundaries[j];
+      const bool add_up = (flux(a) && (flux(b) || drain(b))) || (drain(a) && flux(b));
+      if (!overlap(a.where, b.where) || add_up) continue;
+      const bool surface = a.where.place == Place::free_surface;
+      const bool rain = std::holds_alternative<Rain>(a.condition);
+      if (surface && rain != std::holds_alternative<Rain>(b.condition)) continue;
+      const char* what = drain(a) && drain(b) ? "water can drain"
+                         : !surface           ? "a pressure can be held"
+                         : rain               ? "rain can fall"
+                                              : "water can stand";
+      place.item(i).problem(
+          fmt::format("overlaps with \"{}\", and {} only once; part them by \"from\" and \"to\"", b.name, what));
     }
   }
 }
@@ -165,9 +173,13 @@ void check_steady(const Input& root, const Case& input) {
   for (std::size_t i = 0; i < input.water_boundaries.size(); ++i) {
     const WaterBoundary& boundary = input.water_boundaries[i];
     if (boundary.initial) {
-      const bool flux = std::holds_alternative<PrescribedFlux>(boundary.condition);
+      const auto* flux = std::get_if<PrescribedFlux>(&boundary.condition);
       const bool drain = std::holds_alternative<FreeDrainage>(boundary.condition);
-      (flux ? fed : drain ? drained : held) = true;
+      if (flux != nullptr) {
+        fed = fed || flux->flux.at(0.0) > 0.0;
+      } else {
+        (drain ? drained : held) = true;
+      }
     }
     if (boundary.initial && !steady && !std::holds_alternative<Reservoir>(boundary.condition)) {
       place.item(i).at("initial").problem("has a meaning only with initial.water of type steady; remove it");
@@ -177,7 +189,7 @@ void check_steady(const Input& root, const Case& input) {
     root.at("initial").at("water").problem(
         "steady seepage needs a water boundary with a pressure, total_head, rain or reservoir and \"initial: true\", "
         "or "
-        "free_drainage and a flux");
+        "free_drainage and a flux into the soil");
   }
 }
 

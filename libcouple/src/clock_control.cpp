@@ -8,23 +8,28 @@ namespace slope::couple {
 namespace {
 
 // In the soil's own time; T is the first period of the layer.
-constexpr double block_share = 0.05;  // T between two judgements of the factor
-constexpr double growth_time = 3.0;   // T in which the factor grows by e at most: a slide needs time to follow
-constexpr double shrinkage = 0.8;     // of the factor after a lively block
+constexpr double block_share = 0.05;   // T between two judgements of the factor
+constexpr double growth_time = 3.0;    // T in which the factor grows by e at most: a slide needs time to follow
+constexpr double shrinkage = 0.8;      // of the factor after a lively block
+constexpr double calm_pressure = 1.3;  // change in a block, over the inertia limit, below which the factor grows
 
 }  // namespace
 
 ClockControl::ClockControl(const Clock& limits, const SlopeScale& scale, std::vector<double> change_times)
     : limits_(limits), scale_(scale), change_times_(std::move(change_times)) {}
 
-ClockControl::Pace ClockControl::pace(double time, double next, double time_step) {
+ClockControl::Pace ClockControl::pace(double time, double next, double time_step, double prescribed_rate) {
   double factor = factor_;
   if (limits_.adaptive) {
     double since = time;
     for (const double change : change_times_) {
       if (change <= time) since = time - change;
     }
-    factor = std::min(factor, std::max(1.0, limits_.change_fraction * since / scale_.period()));
+    const double settled = limits_.change_fraction * since / scale_.period();
+    const double calm = calm_pressure * limits_.inertia_limit * scale_.overburden;
+    const double block = block_share * scale_.period();
+    const double steady = prescribed_rate > 0.0 ? calm / (prescribed_rate * block) : never;
+    factor = std::min(factor, std::max(1.0, std::min(settled, steady)));
   }
   const double steps = std::ceil((next - time) / (factor * time_step) * (1.0 - 1.0e-12));
   const double water_step = (next - time) / std::max(steps, 1.0);
@@ -67,7 +72,7 @@ void ClockControl::observe(double time_step, std::span<const double> ux, std::sp
   const double pressure_ratio = pressure_change / scale_.overburden;
   if (inertia > limits_.inertia_limit || pressure_ratio > 2.0 * limits_.inertia_limit) {
     factor_ *= shrinkage;
-  } else if (inertia < 0.65 * limits_.inertia_limit && pressure_ratio < 1.3 * limits_.inertia_limit) {
+  } else if (inertia < 0.65 * limits_.inertia_limit && pressure_ratio < calm_pressure * limits_.inertia_limit) {
     factor_ *= std::exp(block_time_ / (growth_time * scale_.period()));
   }
   factor_ = std::clamp(factor_, 1.0, limits_.maximum_factor);

@@ -36,7 +36,9 @@ class ClockControl {
   /// lagged behind its water would be too heavy. Velocities belong
   /// to the soil's own time; where the factor falls they fall with it, so that what creeps does not gain speed in
   /// physical time.
-  Pace pace(double time, double next, double time_step);
+  /// @param prescribed_rate  how fast a prescribed pressure changes now (Pa/s): the factor is at most the one with
+  /// which that is as calm as a pressure change may be that lets the factor grow.
+  Pace pace(double time, double next, double time_step, double prescribed_rate = 0.0);
   /// Takes note of a step done; twenty times in the first period the factor is judged anew.
   void observe(double time_step, std::span<const double> ux, std::span<const double> uy,
                std::span<const double> pressure);

@@ -128,6 +128,14 @@ Format<TimeSeries> time_series(Dimension dimension, const std::string& example) 
   return {read, write, std::move(schema)};
 }
 
+/// A flag of which only "true" makes sense.
+Format<bool> truth() {
+  Format<bool> format = flag();
+  format.schema = Document::map();
+  format.schema.set("const", Document::flag(true));
+  return format;
+}
+
 Format<Reservoir> reservoir_format() {
   Record<Reservoir> record;
   record.required("level", &Reservoir::level, time_series(Dimension::length, "[time, level], such as [10 h, 5 m]"),
@@ -218,6 +226,17 @@ void from_text(const Input& input, const WaterBoundaryText& text, WaterBoundary&
                               fmt::join(water_conditions, ", "), given == 0 ? "none" : std::to_string(given)));
     return;
   }
+  if (text.free_drainage) {
+    boundary.condition = FreeDrainage{};
+    const auto refuse = [&](const char* key) {
+      input.at(key).problem("free drainage knows only a beginning; remove this key");
+    };
+    if (!*text.free_drainage) input.at("free_drainage").problem("must be true; without it remove this boundary");
+    if (boundary.where.place != Place::base) input.at("at").problem("drains at the base only; write \"at: base\"");
+    if (text.at_face) refuse("applied_to");
+    if (boundary.ramp > 0.0) refuse("ramp");
+    return;
+  }
   const bool on_surface = text.rain || text.reservoir;
   if ((boundary.where.place == Place::free_surface) != on_surface) {
     input.at("at").problem(text.rain        ? "rain falls on the free surface; write \"at: free_surface\""
@@ -238,17 +257,6 @@ void from_text(const Input& input, const WaterBoundaryText& text, WaterBoundary&
     };
     if (text.at_face) refuse("applied_to");
     if (boundary.start > 0.0) refuse("start");
-    if (boundary.ramp > 0.0) refuse("ramp");
-    return;
-  }
-  if (text.free_drainage) {
-    boundary.condition = FreeDrainage{};
-    const auto refuse = [&](const char* key) {
-      input.at(key).problem("free drainage knows only a beginning; remove this key");
-    };
-    if (!*text.free_drainage) input.at("free_drainage").problem("must be true; without it remove this boundary");
-    if (boundary.where.place != Place::base) input.at("at").problem("drains at the base only; write \"at: base\"");
-    if (text.at_face) refuse("applied_to");
     if (boundary.ramp > 0.0) refuse("ramp");
     return;
   }
@@ -349,7 +357,7 @@ Format<WaterBoundary> water_boundary_format() {
                 maybe(time_series(Dimension::velocity, "[time, flux], such as [10 h, 5 mm/h]")),
                 "prescribed flux per area of the surface, positive into the soil, one or points [time, flux]")
       .optional(
-          "free_drainage", &WaterBoundaryText::free_drainage, maybe(flag()),
+          "free_drainage", &WaterBoundaryText::free_drainage, maybe(truth()),
           "true: at the base, water leaves by its own weight, with the conductivity that the soil has there, as if "
           "the soil went on below and the water table were far down")
       .optional("rain", &WaterBoundaryText::rain, maybe(rain_format()),
@@ -363,7 +371,9 @@ Format<WaterBoundary> water_boundary_format() {
   add_times(record, common);
   record.optional(
       "initial", [](auto& text) -> auto& { return text.common.initial; }, flag(),
-      "holds in the steady seepage before the start too; of a reservoir also the weight, in the initial stress");
+      "holds in the steady seepage before the start too, with what it is at the start; of a reservoir also the weight, "
+      "in "
+      "the initial stress");
   Format<WaterBoundary> format = converted<WaterBoundaryText, WaterBoundary>(
       record.format(),
       [](const Input& input, const WaterBoundaryText& text, WaterBoundary& boundary) {

@@ -158,7 +158,7 @@ void Simulation::State::step() {
 }
 
 seepage::SolveReport Simulation::State::step_mixture(double next) {
-  const ClockControl::Pace pace = clock.pace(time, next, time_step);
+  const ClockControl::Pace pace = clock.pace(time, next, time_step, conditions.prescribed_rate(time));
   clock_factor = pace.factor;
   if (pace.velocity_scale < 1.0) mixture.slow_down(pace.velocity_scale);
   const double water_step = pace.factor * pace.time_step;

@@ -80,8 +80,7 @@ double PoreFlow::face_conductance(const FacePressure& face) const {
   const Soil& soil = soils_[soil_[face.particle]];
   const auto conductivity = [&](double pressure) {
     const double suction_head = -pressure / water_.unit_weight();
-    const double saturation =
-        std::visit([&](const auto& law) { return law.evaluate(suction_head).saturation; }, soil.retention);
+    const double saturation = evaluate(soil.retention, suction_head).saturation;
     return soil.hydraulic_conductivity * soil.relative_permeability.evaluate(suction_head, saturation);
   };
   const double middle = conductivity(0.5 * (face.pressure + pressure_[face.particle]));
@@ -93,7 +92,7 @@ double PoreFlow::face_conductance(const FacePressure& face) const {
 double PoreFlow::permeability_slope(std::size_t p, double pressure) const {
   const Soil& soil = soils_[soil_[p]];
   const double suction_head = -pressure / water_.unit_weight();
-  const Saturation saturation = std::visit([&](const auto& law) { return law.evaluate(suction_head); }, soil.retention);
+  const Saturation saturation = evaluate(soil.retention, suction_head);
   return -soil.hydraulic_conductivity * soil.relative_permeability.slope(suction_head, saturation) /
          water_.unit_weight();
 }
@@ -134,8 +133,9 @@ void PoreFlow::find_drain_laws(const Boundary& boundary) {
   drain_laws_.clear();
   for (const Drain& drain : boundary.drains) {
     const std::size_t p = drain.particle;
-    drain_laws_.push_back({drain.width * conductivity_[p],
-                           drain.width * permeability_slope(p, pressure_[p]) * water_.unit_weight(), head_[p]});
+    const double slope = permeability_slope(p, pressure_[p]) * water_.unit_weight();
+    drain_laws_.push_back({drain.width * conductivity_[p], drain.width * slope, head_[p],
+                           drain.width * soils_[soil_[p]].hydraulic_conductivity});
   }
 }
 
@@ -159,7 +159,7 @@ bool PoreFlow::switch_open_faces(const Boundary& boundary, double time_step, dou
 }
 
 // The right side without the offsets of storage over the one with them, in the solver's norm.
-double PoreFlow::offset_share() {
+double PoreFlow::offset_share() const {
   double without = 0.0, with = 0.0;
   for (std::size_t p = 0; p < pressure_.size(); ++p) {
     const double first = right_side_[p] + storage_offset_[p];
@@ -171,8 +171,7 @@ double PoreFlow::offset_share() {
 
 // The tangent at a pressure.
 PoreFlow::Tangent PoreFlow::tangent_at(std::size_t p, double pressure, const Skeleton& skeleton) const {
-  const Saturation s = std::visit([&](const auto& law) { return law.evaluate(-pressure / water_.unit_weight()); },
-                                  soils_[soil_[p]].retention);
+  const Saturation s = evaluate(soils_[soil_[p]].retention, -pressure / water_.unit_weight());
   const double pores = skeleton.volume[p] * skeleton.porosity[p];
   const double stored = pores * (s.saturation * (1.0 + pressure / water_.bulk_modulus) -
                                  saturation_[p] * (1.0 + pressure_[p] / water_.bulk_modulus));
@@ -216,18 +215,16 @@ bool PoreFlow::follow_retention(const Skeleton& skeleton, double tolerable) {
 
 void PoreFlow::finish(double time_step, const Skeleton& skeleton, const Boundary& boundary) {
   const double inverse_weight = 1.0 / water_.unit_weight();
-  for (std::size_t p = 0; p < pressure_.size(); ++p) {
-    head_[p] += change_[p] * inverse_weight;
-    pressure_[p] += change_[p];
-  }
-  conclude(time_step, skeleton, boundary);
+  for (std::size_t p = 0; p < pressure_.size(); ++p) head_[p] += change_[p] * inverse_weight;
+  find_flow(boundary);
+  for (std::size_t p = 0; p < pressure_.size(); ++p) pressure_[p] += change_[p];
+  book(time_step, skeleton, boundary);
 }
 
-// Books the flow of the step, at the conductivities and positions for which it was solved.
-void PoreFlow::conclude(double time_step, const Skeleton& skeleton, const Boundary& boundary) {
+// The flow of the step at its heads, with the conductivities and positions for which it was solved.
+void PoreFlow::find_flow(const Boundary& boundary) {
   operator_.apply(head_, outflow_);
   take_in_boundary_flow(boundary);
-  book(time_step, skeleton, boundary);
 }
 
 // Takes what comes in by faces, inflows and drains off the particles' outflow, and notes it by boundary. Of the open

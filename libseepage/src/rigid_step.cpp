@@ -9,10 +9,13 @@ namespace slope::seepage {
 
 namespace {
 
-// Newton's method needs a first guess whose wetting fronts are about right; with lagged permeability it finds one from
-// everywhere.
+// Newton's method needs a first guess whose wetting fronts are about right. Lagged permeability mostly finds one; where
+// it only makes things worse, Newton's method begins with the best state so far.
 constexpr int lagged_iterations = 3;
 constexpr double least_share = 1.0 / 64.0;  // of a step of Newton's method that makes the imbalance larger
+// With lagged permeability small steps may be far from the end: they must fall so fast, or be nothing.
+constexpr double lagged_reduction = 0.25;
+constexpr double nothing = 1.0e-3;  // over the tolerance
 
 }  // namespace
 
@@ -118,17 +121,10 @@ void PoreFlow::add_face_slopes(double time_step, const Boundary& boundary) {
 
 // Solves for the pressures' next step, work_ (Pa). @return whether there is one.
 bool PoreFlow::find_pressure_step(double time_step, const Boundary& boundary, bool lagged) {
-  const std::size_t n = pressure_.size();
-  const double flow_scale = time_step / water_.unit_weight();
   if (!lagged) add_face_slopes(time_step, boundary);
-  std::fill(work2_.begin(), work2_.end(), 0.0);
-  for (const HeldPressure& held : boundary.held) work2_[held.particle] = held.pressure - pressure_[held.particle];
-  operator_.apply(work2_, outflow_);
-  Eigen::VectorXd b(static_cast<Eigen::Index>(n));
-  for (std::size_t p = 0; p < n; ++p) {
-    b[static_cast<Eigen::Index>(p)] = is_held_[p] != 0
-                                          ? (storage_[p] + flow_scale * operator_.diagonal()[p]) * work2_[p]
-                                          : right_side_[p] - flow_scale * outflow_[p];
+  Eigen::VectorXd b(static_cast<Eigen::Index>(pressure_.size()));
+  for (std::size_t p = 0; p < pressure_.size(); ++p) {
+    b[static_cast<Eigen::Index>(p)] = is_held_[p] != 0 ? 0.0 : right_side_[p];
   }
   const bool new_pattern = !pattern_known_;
   assemble(time_step, lagged);
@@ -155,30 +151,47 @@ SolveReport PoreFlow::advance(double time_step, const Skeleton& skeleton, const 
   follow(skeleton);
   const std::vector<double> start = pressure_;
   std::fill(is_held_.begin(), is_held_.end(), std::uint8_t{0});
-  for (const HeldPressure& held : boundary.held) is_held_[held.particle] = 1;
+  for (const HeldPressure& held : boundary.held) {
+    is_held_[held.particle] = 1;
+    pressure_[held.particle] = held.pressure;
+  }
+  evaluate_soil();
+  const auto go_to = [&](const std::vector<double>& pressure, double share) {
+    for (std::size_t p = 0; p < n; ++p) pressure_[p] = pressure[p] + share * work_[p];
+    evaluate_soil();
+    return find_imbalance(time_step, skeleton, boundary);
+  };
 
   SolveReport report;
   report.converged = false;
   double imbalance = find_imbalance(time_step, skeleton, boundary);
+  std::vector<double> here = pressure_, best = pressure_;
+  double least_imbalance = imbalance, last_step = 0.0;  // (m2, Pa)
   while (!report.converged && report.iterations < maximum_iterations) {
     const bool lagged = report.iterations < lagged_iterations;
+    if (report.iterations == lagged_iterations && imbalance > least_imbalance) imbalance = go_to(best, 0.0);
     if (!find_pressure_step(time_step, boundary, lagged)) break;
     ++report.iterations;
     double largest = 0.0;
     for (std::size_t p = 0; p < n; ++p) largest = std::max(largest, std::abs(work_[p]));
-    report.converged = largest <= tolerance_pressure;
-    change_ = pressure_;
-    for (double share = 1.0;; share *= 0.5) {
-      for (std::size_t p = 0; p < n; ++p) pressure_[p] = change_[p] + share * work_[p];
-      evaluate_soil();
-      const double before = imbalance;
-      imbalance = find_imbalance(time_step, skeleton, boundary);
-      if (lagged || report.converged || imbalance < before || share <= least_share) break;
-      imbalance = before;
+    const bool settles = !lagged || largest <= lagged_reduction * last_step || largest <= nothing * tolerance_pressure;
+    report.converged = largest <= tolerance_pressure && settles;
+    last_step = largest;
+    here = pressure_;
+    const double before = imbalance;
+    imbalance = go_to(here, 1.0);
+    if (lagged && imbalance < least_imbalance) {
+      least_imbalance = imbalance;
+      best = pressure_;
+    }
+    for (double share = 0.5; !lagged && !report.converged && imbalance >= before && share >= least_share;
+         share *= 0.5) {
+      imbalance = go_to(here, share);
     }
   }
   if (!report.converged) {
     pressure_ = start;
+    std::fill(change_.begin(), change_.end(), 0.0);
     evaluate_soil();
     return report;
   }
@@ -186,7 +199,8 @@ SolveReport PoreFlow::advance(double time_step, const Skeleton& skeleton, const 
     change_[p] = pressure_[p] - start[p];
     report.largest_change = std::max(report.largest_change, std::abs(change_[p]));
   }
-  conclude(time_step, skeleton, boundary);
+  find_flow(boundary);
+  book(time_step, skeleton, boundary);
   return report;
 }
 

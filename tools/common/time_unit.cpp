@@ -17,10 +17,13 @@ TimeUnit time_unit(double longest) {
   return longest < 5.0 * day ? TimeUnit{hour, "h"} : TimeUnit{day, "d"};
 }
 
-std::string time_text(double seconds) {
-  const TimeUnit unit = time_unit(seconds);
-  const double digits = unit.seconds == 1.0 ? 10.0 : 100.0;
+std::string time_text(double seconds, const TimeUnit& unit) {
+  const double digits = unit.seconds < hour ? 10.0 : unit.seconds < day ? 1.0e3 : 1.0e4;
   return fmt::format("{} {}", std::round(digits * seconds / unit.seconds) / digits, unit.name);
+}
+
+std::string time_text(double seconds) {
+  return time_text(seconds, time_unit(seconds));
 }
 
 }  // namespace slope::tools

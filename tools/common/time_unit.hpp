@@ -13,7 +13,9 @@ struct TimeUnit {
 /// The unit in which times up to the longest (s) read well: s below three hours, h below five days, d beyond.
 [[nodiscard]] TimeUnit time_unit(double longest);
 
-/// A time (s) in its own unit: "459.1 s", "22.8 h", "5.25 d".
+/// A time (s) in a unit, to a tenth of a second, a thousandth of an hour or a ten-thousandth of a day.
+[[nodiscard]] std::string time_text(double seconds, const TimeUnit& unit);
+/// In its own unit: "459.1 s", "22.808 h", "5.25 d".
 [[nodiscard]] std::string time_text(double seconds);
 
 }  // namespace slope::tools

@@ -19,9 +19,9 @@ FrameSequence write_frames(const RunFolder& run, const std::string& field, const
     const auto& snapshot = run.snapshots[i];
     const bool failed = run.onset && snapshot.time >= *run.onset;
     const std::string caption = "t = " + time_text(snapshot.time) + (failed ? ", after the onset of failure" : "");
-    write_contour_picture(
-        frames.frame(frames.count++), width,
-        {particles[i], drawn, scale, run.input.domain, run.input.failure_zone_strain, run.input.title, caption});
+    write_contour_picture(frames.frame(frames.count++), width,
+                          {particles[i], drawn, scale, run.input.domain, run.input.failure_zone_strain, run.input.title,
+                           caption, true, standing_water_at(run.input, snapshot.time)});
   }
   for (int i = frames.count; std::filesystem::exists(frames.frame(i)); ++i) {
     std::filesystem::remove(frames.frame(i));

@@ -17,6 +17,9 @@ constexpr const char* strain_array = "deviatoric_strain";
 /// line: the water level is the surface.
 constexpr double level_pressure = 50.0;
 
+constexpr Colour pale_water{0xd6, 0xe9, 0xf5};
+constexpr Colour water_surface{0x4a, 0x90, 0xc2};
+
 constexpr double pixels_per_cell = 2.0;  // of the interpolated image
 constexpr double legend_sample = 2.2;    // em
 constexpr double legend_gap = 1.2;       // em
@@ -59,6 +62,32 @@ bool shows_water_level(const ContourPanel& panel) {
   return passes(panel.particles, pressure_array, level_pressure);
 }
 
+bool under_water(const ContourPanel& panel, const couple::Point& where) {
+  return std::ranges::any_of(panel.standing_water, [&](const StandingWater& water) {
+    return where[0] >= water.x.low && where[0] <= water.x.high && where[1] < water.level;
+  });
+}
+
+/// The surface of standing water: a line where there is no soil.
+void draw_water_surface(Canvas& canvas, const PlotFrame& frame, const FieldImage& image, const StandingWater& water) {
+  const LineStyle style{0.07 * canvas.em(), water_surface, {}};
+  if (water.level <= frame.y.low || water.level >= frame.y.high) {
+    return;
+  }
+  const int columns = static_cast<int>(frame.box.width());
+  std::vector<Pixel> line;
+  for (int i = 0; i <= columns; ++i) {
+    const double x = frame.x.low + (i + 0.5) / columns * frame.x.length();
+    const bool open = i < columns && x >= water.x.low && x <= water.x.high && !image.inside({x, water.level});
+    if (open) {
+      line.push_back(frame.at(x, water.level));
+    } else if (!line.empty()) {
+      canvas.stroke({line.front(), line.back()}, style);
+      line.clear();
+    }
+  }
+}
+
 void draw_field(Canvas& canvas, const PlotFrame& frame, const FieldImage& image, const ContourPanel& panel) {
   const auto columns = static_cast<int>(frame.box.width());
   const auto rows = static_cast<int>(frame.box.height());
@@ -71,7 +100,7 @@ void draw_field(Canvas& canvas, const PlotFrame& frame, const FieldImage& image,
         const double value = panel.field.factor * image.value(panel.field.array, x);
         colours.push_back(colour_at(panel.field.colours, (value - panel.scale.range.low) / panel.scale.range.length()));
       } else {
-        colours.push_back(white);
+        colours.push_back(under_water(panel, x) ? pale_water : white);
       }
     }
   }
@@ -158,6 +187,18 @@ ColourScale common_scale(const Field& field, const std::vector<vtkSmartPointer<v
   return scale;
 }
 
+std::vector<StandingWater> standing_water_at(const couple::Case& input, double time) {
+  std::vector<StandingWater> standing;
+  for (const couple::WaterBoundary& boundary : input.water_boundaries) {
+    const auto* reservoir = std::get_if<couple::Reservoir>(&boundary.condition);
+    if (reservoir == nullptr || (time <= 0.0 && !boundary.initial)) {
+      continue;
+    }
+    standing.push_back({{boundary.where.from, boundary.where.to}, reservoir->level.at(time)});
+  }
+  return standing;
+}
+
 double height_over_width(const couple::Domain& domain) {
   return (domain.upper[1] - domain.lower[1]) / (domain.upper[0] - domain.lower[0]);
 }
@@ -197,6 +238,9 @@ void draw_contour_panel(Canvas& canvas, const Box& box, const ContourPanel& pane
         canvas.stroke(line, {0.035 * em, ink, {}});
       }
     }
+  }
+  for (const StandingWater& water : panel.standing_water) {
+    draw_water_surface(canvas, frame, image, water);
   }
   for (const auto& line : to_pixels(image.outline())) {
     canvas.stroke(smoothed(line), {0.07 * em, ink, {}});

@@ -41,6 +41,15 @@ struct ColourScale {
 /// One scale for several pictures of a field, with round ends.
 [[nodiscard]] ColourScale common_scale(const Field& field, const std::vector<vtkSmartPointer<vtkPolyData>>& particles);
 
+/// Water of a reservoir at one time.
+struct StandingWater {
+  Range x;             ///< where it may stand (m)
+  double level = 0.0;  ///< y of its surface (m)
+};
+
+/// The reservoirs of a case at a time (s).
+[[nodiscard]] std::vector<StandingWater> standing_water_at(const couple::Case& input, double time);
+
 /// What a contour picture shows.
 struct ContourPanel {
   vtkPolyData* particles = nullptr;
@@ -51,6 +60,7 @@ struct ContourPanel {
   std::string title;                     ///< of the run
   std::string caption;                   ///< of this picture: its time
   bool x_title = true;                   ///< whether the horizontal axis has its title
+  std::vector<StandingWater> standing_water = {};
 };
 
 /// Draws the field, the outline of the soil, the water level and the axes into a box whose sides have the ratio of

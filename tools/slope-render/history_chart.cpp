@@ -89,7 +89,7 @@ void draw_onset(Canvas& canvas, const PlotFrame& frame, double onset, const Time
   const Box& box = frame.box;
   const double x = frame.at(onset / unit.seconds, 0.0).x;
   canvas.stroke({{x, box.bottom}, {x, box.top}}, {0.08 * em, ink, {0.4 * em, 0.3 * em}});
-  const std::string note = "onset of failure, t = " + time_text(onset);
+  const std::string note = "onset of failure, t = " + time_text(onset, unit);
   const double half = 0.5 * canvas.text_width(note);
   const double centre = std::max(std::min(x, box.right - half), leftmost + half);
   canvas.text({centre, box.top + 0.85 * em}, note, {.anchor = Anchor::centre});

@@ -70,9 +70,10 @@ void write_contours(const RunFolder& run, const PictureOptions& options, std::ve
     const ColourScale scale = common_scale(field, particles);
     for (std::size_t i = 0; i < moments.size(); ++i) {
       const fs::path file = options.folder / fmt::format("{}_{}.png", field.name, moments[i].label);
-      write_contour_picture(file, options.width,
-                            {particles[i], field, scale, run.input.domain, run.input.failure_zone_strain,
-                             run.input.title, moments[i].caption});
+      write_contour_picture(
+          file, options.width,
+          {particles[i], field, scale, run.input.domain, run.input.failure_zone_strain, run.input.title,
+           moments[i].caption, true, standing_water_at(run.input, moments[i].snapshot.time)});
       written.push_back(file);
     }
   }

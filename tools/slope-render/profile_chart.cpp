@@ -72,10 +72,9 @@ void draw_rings(Canvas& canvas, const std::vector<Pixel>& points, Colour colour)
   }
 }
 
-std::string legend_text(const TimedProfile& profile) {
-  const bool same = std::abs(profile.time - profile.snapshot_time) < 0.05;
-  return same ? "t = " + time_text(profile.time)
-              : "t = " + time_text(profile.snapshot_time) + " (asked: " + time_text(profile.time) + ")";
+std::string legend_text(const TimedProfile& profile, const TimeUnit& unit) {
+  const std::string asked = time_text(profile.time, unit), drawn = time_text(profile.snapshot_time, unit);
+  return asked == drawn ? "t = " + asked : "t = " + drawn + " (asked: " + asked + ")";
 }
 
 }  // namespace
@@ -142,9 +141,14 @@ void write_profile_chart(const std::filesystem::path& file, int width, const std
       std::any_of(profiles.begin(), profiles.end(), [](const auto& p) { return !p.reference.head.empty(); });
 
   const double sample = 1.6 * em;
+  double longest = 0.0;
+  for (const auto& profile : profiles) {
+    longest = std::max(longest, profile.time);
+  }
+  const TimeUnit unit = time_unit(longest);
   double names = canvas.text_width(referenced ? "reference" : "computed");
   for (const auto& profile : profiles) {
-    names = std::max(names, canvas.text_width(legend_text(profile)));
+    names = std::max(names, canvas.text_width(legend_text(profile, unit)));
   }
   const double bottom = room_below(canvas) + 0.4 * em;
   const double top = canvas.height() - 2.2 * em;
@@ -173,7 +177,7 @@ void write_profile_chart(const std::filesystem::path& file, int width, const std
     const Colour colour = time_colour(i, profiles.size());
     canvas.stroke(to_pixels(frame, profiles[i].reference), {line.width, colour, {}});
     draw_rings(canvas, to_pixels(frame, profiles[i].computed), colour);
-    const auto [from, to] = legend_row(legend_text(profiles[i]));
+    const auto [from, to] = legend_row(legend_text(profiles[i], unit));
     canvas.fill({from.x, from.y - 0.25 * em, to.x, from.y + 0.25 * em}, colour);
   }
   row -= 0.7 * em;

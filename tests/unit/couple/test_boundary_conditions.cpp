@@ -156,6 +156,8 @@ TEST(BoundaryConditions, PressuresAndFluxesFollowTheirPoints) {
        "free_drainage: true, start: 4 s}]"});
   EXPECT_EQ(acting.conditions.next_change(0.0), 10.0);
   EXPECT_EQ(acting.conditions.next_change(10.0), 20.0);
+  EXPECT_NEAR(acting.conditions.prescribed_rate(0.0), 9810.0 * 0.2, 1e-6);
+  EXPECT_EQ(acting.conditions.prescribed_rate(10.0), 0.0);
   EXPECT_TRUE(acting.at(3.0).water.drains.empty());
   const Actions actions = acting.at(5.0);
   const solid::Particles& soil = acting.mixture.soil.particles();

@@ -235,7 +235,7 @@ const Mistake places[] = {
      "water_boundaries.rain.applied_to", "a flux always enters through the face; remove this key"},
     {"SteadyWithoutBoundary", "type: hydrostatic", "type: steady", "initial.water",
      R"(steady seepage needs a water boundary with a pressure, total_head, rain or reservoir and "initial: true", )"
-     "or free_drainage and a flux"},
+     "or free_drainage and a flux into the soil"},
     {"SteadyWithADrainAlone",
      "{type: hydrostatic, water_table: 3 m}\n  stress: self_weight\n\n# Rain that ponds nowhere: the pressure of the "
      "uppermost particle of every column goes to zero within 5 s.\n# Everything else is "
@@ -244,10 +244,20 @@ const Mistake places[] = {
      "  - {name: drain, at: base, free_drainage: true, initial: true}\n",
      "initial.water",
      R"(steady seepage needs a water boundary with a pressure, total_head, rain or reservoir and "initial: true", )"
-     "or free_drainage and a flux"},
+     "or free_drainage and a flux into the soil"},
     {"DrainOnTheGround", "at: ground_surface, pressure: 0 kPa, applied_to: particle, start: 0 s, ramp: 5 s",
      "at: ground_surface, free_drainage: true", "water_boundaries.rain.at",
      R"(drains at the base only; write "at: base")"},
+    {"DrainOnTheFreeSurface", "at: ground_surface, pressure: 0 kPa, applied_to: particle, start: 0 s, ramp: 5 s",
+     "at: free_surface, free_drainage: true", "water_boundaries.rain.at",
+     R"(drains at the base only; write "at: base")"},
+    {"TwoDrainsInOnePlace",
+     "water_boundaries:\n  - {name: rain, at: ground_surface, pressure: 0 kPa, applied_to: particle, start: 0 s, ramp: "
+     "5 s}",
+     "water_boundaries:\n  - {name: drain, at: base, free_drainage: true}\n"
+     "  - {name: rain, at: base, from: 3 m, free_drainage: true}",
+     "water_boundaries.rain", R"(overlaps with "drain", and water can drain only once; part them by "from" and "to")",
+     2},
     {"DrainThatIsNone", "at: ground_surface, pressure: 0 kPa, applied_to: particle, start: 0 s, ramp: 5 s",
      "at: base, free_drainage: false", "water_boundaries.rain.free_drainage",
      "must be true; without it remove this boundary"},
@@ -298,6 +308,15 @@ const Mistake places[] = {
      "  - {name: pond, at: free_surface, from: 24.5 m, reservoir: {level: 11 m}}",
      "water_boundaries.lake",
      "ends 0.5 m before the next reservoir begins; leave at least 1 m of ground between them, higher than both", 1},
+    {"GroundBetweenTwoReservoirsBelowOneLevel",
+     "water_boundaries:\n  - {name: rain, at: ground_surface, pressure: 0 kPa, applied_to: particle, start: 0 s, ramp: "
+     "5 s}",
+     "water_boundaries:\n  - {name: lake, at: free_surface, from: 14 m, reservoir: {level: 5.5 m}}\n"
+     "  - {name: rain, at: free_surface, to: 9 m, reservoir: {level: 4 m}}",
+     "water_boundaries.lake",
+     R"(the ground at x = 9.125 m, y = 5 m lies beyond "from" and "to", but below the highest level, 5.5 m; widen the )"
+     R"(range, or move the water alone with "coupling: {scheme: seepage}")",
+     1},
     {"LoadBesideTheSoil", "coupling:\n",
      "loads:\n  - {name: fill, at: base, to: -1 m, traction: [0 Pa, 1 kPa]}\n\ncoupling:\n", "loads.fill",
      R"(no particle lies there; check "at", "from" and "to")", 1},

@@ -44,5 +44,19 @@ TEST(ClockControl, RunsFasterInTheCalmAndFallsBackAfterAChange) {
   EXPECT_LT(after.velocity_scale, 0.1) << "the soil's velocities fall with the factor";
 }
 
+TEST(ClockControl, IsAsSlowAsAPrescribedPressureIsFast) {
+  ClockControl clock(Clock{}, scale, {0.0});
+  const std::vector<double> still(3, 0.0);
+  double time = 0.0;
+  for (ClockControl::Pace pace; time < 1000.0; time += pace.factor * pace.time_step) {
+    pace = clock.pace(time, 1000.0, 0.003);
+    clock.observe(pace.time_step, still, still, still);
+  }
+  const double calm = 1.3 * 0.004 * scale.overburden / (0.05 * scale.period());  // Pa per second of the soil
+  EXPECT_GT(clock.pace(time, 1e6, 0.003, calm / 1e4).factor, 100.0) << "a slow one does not matter";
+  EXPECT_NEAR(clock.pace(time, 1e6, 0.003, calm / 10.0).factor, 10.0, 0.01);
+  EXPECT_NEAR(clock.pace(time, 1e6, 0.003, 10.0 * calm).factor, 1.0, 0.01);
+}
+
 }  // namespace
 }  // namespace slope::couple

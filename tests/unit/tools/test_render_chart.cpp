@@ -32,6 +32,8 @@ TEST(PlotFrame, StepsAreRoundAndNumbersHaveTheirDecimals) {
   EXPECT_EQ(time_text(600.0), "600 s");
   EXPECT_EQ(time_text(10799.0), "10799 s");
   EXPECT_EQ(time_text(82080.0), "22.8 h");
+  EXPECT_EQ(time_text(20777.0), "5.771 h");
+  EXPECT_EQ(time_text(4536.0, time_unit(11797.0)), "1.26 h");
   EXPECT_EQ(time_text(5.0 * 86400.0), "5 d");
 }
 

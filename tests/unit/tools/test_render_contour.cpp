@@ -21,6 +21,38 @@ ContourPanel panel_of(vtkPolyData* particles, const std::string& field) {
   return panel;
 }
 
+TEST(ContourPicture, ShowsStandingWaterInItsRange) {
+  const ScratchFolder folder;
+  const auto particles = as_polydata(synthetic_slope(0.0));
+  Canvas canvas(800, 340, 32.0);
+  ContourPanel panel = panel_of(particles, "suction");
+  panel.standing_water = {{{0.0, 6.0}, 8.0}, {{30.0, 36.0}, 11.0}};
+  draw_contour_panel(canvas, {60.0, 40.0, 780.0, 320.0}, panel);
+  canvas.write_png(folder.path() / "panel.png");
+  const PictureFile picture(folder.path() / "panel.png");
+  const auto white_at = [&](double x, double y) {
+    return picture.is_white(static_cast<int>(60.0 + 20.0 * x), static_cast<int>(40.0 + 20.0 * y));
+  };
+  EXPECT_FALSE(white_at(3.0, 6.5)) << "water on the toe";
+  EXPECT_TRUE(white_at(3.0, 9.0)) << "air above it";
+  EXPECT_TRUE(white_at(8.0, 6.5)) << "beyond its range";
+  EXPECT_TRUE(white_at(33.0, 13.0)) << "a level below the crest stands nowhere";
+}
+
+TEST(ContourPicture, TakesTheLevelsOfReservoirsAtTheirTime) {
+  couple::Case input;
+  couple::WaterBoundary lake;
+  lake.condition = couple::Reservoir{{{{0.0, 3.0}, {10.0, 5.0}}}};
+  lake.where.to = 12.0;
+  input.water_boundaries = {lake};
+  EXPECT_TRUE(standing_water_at(input, 0.0).empty()) << "it comes with the start";
+  ASSERT_EQ(standing_water_at(input, 5.0).size(), 1u);
+  EXPECT_EQ(standing_water_at(input, 5.0)[0].level, 4.0);
+  EXPECT_EQ(standing_water_at(input, 5.0)[0].x.high, 12.0);
+  input.water_boundaries[0].initial = true;
+  EXPECT_EQ(standing_water_at(input, 0.0).at(0).level, 3.0);
+}
+
 TEST(ContourPicture, ShowsSoilAirAndWaterLevelWhereTheyAre) {
   const ScratchFolder folder;
   const auto particles = as_polydata(synthetic_slope(0.0));

@@ -53,6 +53,28 @@ TEST(SteadyRain, IsTheExactStateBeforeTheStart) {
   EXPECT_NEAR(water.outflow, water.infiltration, 1e-3 * water.infiltration);
 }
 
+// Freely drained soil conducts what falls: k_rw = exp(alpha psi) = q everywhere.
+TEST(SteadyRain, DrainsFreelyBeforeTheStart) {
+  couple::Simulation simulation = start_case(
+      "ground.yaml",
+      {"domain={lower: [0 m, 0 m], upper: [0.08 m, 1.04 m], cell_size: 0.04 m, particles_per_cell: 4}",
+       "geometry.0.polygon=[[0 m, 0 m], [0.08 m, 0 m], [0.08 m, 1 m], [0 m, 1 m]]",
+       "soils.sand.hydraulic_conductivity=10 mm/h",
+       "soils.sand.retention={model: exponential, alpha: 10 1/m, residual_saturation: 0.15, maximum_saturation: 1}",
+       "soils.sand.relative_permeability={model: exponential, alpha: 10 1/m}",
+       "initial.water={type: steady, water_table: 0 m}",
+       "water_boundaries=[{name: drain, at: base, free_drainage: true, initial: true}, {name: rain, at: "
+       "ground_surface, "
+       "flux: [[0 h, 1 mm/h], [9 h, 1 mm/h]], initial: true}]",
+       "coupling.scheme=seepage", "stop.time=10 h", "output.history_interval=1 h"});
+  const double exact = 9810.0 * std::log(rain) / alpha;
+  for (const double pressure : simulation.particles().pore_pressure) EXPECT_NEAR(pressure, exact, 2e-3 * -exact);
+  run(simulation, [](const couple::ParticleTable&) {});
+  const couple::WaterBudget water = simulation.summary().water;
+  EXPECT_NEAR(water.by_boundary.at("drain"), -10.0e-3 * 0.08, 1e-3 * 10.0e-3 * 0.08);
+  EXPECT_NEAR(water.outflow, water.infiltration, 1e-3 * water.infiltration);
+}
+
 TEST(SteadyRain, HasTheIntensityBeforeTheStart) {
   EXPECT_LT(error_of(rained_column("hyetograph: [[0 h, 9 mm/h]], before_start: 1 mm/h").particles()), 0.005);
   EXPECT_GT(error_of(rained_column("hyetograph: [[0 h, 9 mm/h]]").particles()), 0.1) << "then it is the first one";

@@ -102,6 +102,8 @@ struct TimeSeries {
   std::vector<TimedValue> points{{}};  ///< times ascending, at least one
 
   [[nodiscard]] double at(double time) const;
+  /// Slope just after a time (1/s).
+  [[nodiscard]] double rate_after(double time) const;
   [[nodiscard]] double highest() const;
 };
 

@@ -46,7 +46,7 @@ struct Drain {
 };
 
 /// What acts on the pore water during one step. A particle appears at most once in `held`, and then not in
-/// `open_faces` or `drains`.
+/// `open_faces`.
 struct Boundary {
   std::vector<HeldPressure> held;
   std::vector<FacePressure> faces;

@@ -123,18 +123,16 @@ class PoreFlow {
   // to the retention curves.
   static constexpr int most_passes = 20;
 
-  // A flow through a face, and how it changes with the particle's pressure.
-  struct FaceConductance {
-    double value = 0.0;  // (m/s)
-    double slope = 0.0;  // (m/s/Pa)
-  };
-  // Outflow of a drain, linear about the head at which it was found.
+  // Outflow of a drain, linear about the head at which it was found, up to that of saturated soil.
   struct DrainLaw {
-    double rate = 0.0;   // (m2/s)
-    double slope = 0.0;  // (m/s), >= 0
-    double head = 0.0;   // (m)
+    double rate = 0.0;     // (m2/s)
+    double slope = 0.0;    // (m/s), >= 0
+    double head = 0.0;     // (m)
+    double largest = 0.0;  // (m2/s)
 
-    [[nodiscard]] double outflow(double at_head) const { return std::max(0.0, rate + slope * (at_head - head)); }
+    [[nodiscard]] double outflow(double at_head) const {
+      return std::clamp(rate + slope * (at_head - head), 0.0, largest);
+    }
   };
 
   // Of what a particle stores in a step, over the pressure at its end.
@@ -157,9 +155,9 @@ class PoreFlow {
   bool switch_open_faces(const Boundary& boundary, double time_step, double flow_scale);
   [[nodiscard]] Tangent tangent_at(std::size_t p, double pressure, const Skeleton& skeleton) const;
   bool follow_retention(const Skeleton& skeleton, double tolerable);
-  [[nodiscard]] double offset_share();
+  [[nodiscard]] double offset_share() const;
   void take_in_boundary_flow(const Boundary& boundary);
-  void conclude(double time_step, const Skeleton& skeleton, const Boundary& boundary);
+  void find_flow(const Boundary& boundary);
   void book(double time_step, const Skeleton& skeleton, const Boundary& boundary);
   double find_imbalance(double time_step, const Skeleton& skeleton, const Boundary& boundary);
   void add_face_slopes(double time_step, const Boundary& boundary);

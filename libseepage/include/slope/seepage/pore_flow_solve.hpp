@@ -83,9 +83,10 @@ SolveReport PoreFlow::solve(double time_step, const Skeleton& skeleton, std::spa
     const double reduction = pass == 0 ? tolerance : std::min(tolerance, tolerance * offset_share());
     const auto result = solver_.solve(reduced, diagonal_, right_side_, change_, reduction, 500, settings_.threads);
     report.iterations += result.iterations;
-    report.converged = result.converged;
     const bool switched = switch_open_faces(boundary, time_step, flow_scale);
-    if (!follow_retention(skeleton, tolerable) && !switched) break;
+    const bool bent = follow_retention(skeleton, tolerable);
+    report.converged = result.converged && !switched && !bent;
+    if (!switched && !bent) break;
   }
   for (const HeldPressure& held : boundary.held) change_[held.particle] = held.pressure - pressure_[held.particle];
   for (std::size_t p = 0; p < n; ++p) {

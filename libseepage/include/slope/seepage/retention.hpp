@@ -12,4 +12,9 @@ namespace slope::seepage {
 /// and steepest() -> suction head of the largest slope.
 using Retention = std::variant<VanGenuchten, LiakopoulosRetention, ExponentialRetention>;
 
+/// @param suction_head h_s (m), any sign.
+[[nodiscard]] inline Saturation evaluate(const Retention& retention, double suction_head) {
+  return std::visit([&](const auto& law) { return law.evaluate(suction_head); }, retention);
+}
+
 }  // namespace slope::seepage
