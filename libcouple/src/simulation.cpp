@@ -152,6 +152,7 @@ void Simulation::State::step() {
   const auto report = seepage != nullptr ? step_water(*seepage, next) : step_mixture(next);
   ++steps;
   pressure_iterations += static_cast<std::size_t>(report.iterations);
+  if (!report.converged) ++result.unsettled_steps;
   observe_water();
   observe_displacement();
   check_end();

@@ -66,6 +66,15 @@ class SlopeSim : public testing::Test {
   fs::path scratch_;
 };
 
+TEST_F(SlopeSim, SaysSoIfTheSlopeDoesNotStandBeforeTheStart) {
+  EXPECT_EQ(call({"run", quick, "-o", "stands", "--set", "stop.time=0.01 s"}).errors.find("no balance"),
+            std::string::npos);
+  const Outcome weak = call({"run", quick, "-o", "weak", "--set", "stop.time=0.01 s", "--set",
+                             "initial.water={type: uniform, pressure: 0 kPa}", "--set",
+                             "soils.silty_sand.strength.friction_angle=12 deg"});
+  EXPECT_NE(weak.errors.find("no balance was found before the start"), std::string::npos) << weak.errors;
+}
+
 TEST_F(SlopeSim, RainIsBookedInTheBudget) {
   const fs::path out = scratch_ / "rain";
   const Outcome outcome = run_box(

@@ -93,6 +93,18 @@ TEST(Report, SaysZoneSuctionAndWaterWithUnits) {
   }
 }
 
+TEST(Report, TellsOfWhatIsOutOfTheOrdinary) {
+  couple::Summary summary = a_failure();
+  EXPECT_EQ(report_text(a_case(), summary, {"1", "time", "", 1.0, 1}).find("unsettled"), std::string::npos);
+  summary.unsettled_steps = 3;
+  summary.time = 82080.0;
+  const std::string report = report_text(a_case(), summary, {"1", "time", "", 1.0, 1});
+  EXPECT_NE(report.find("3 steps whose pore pressures"), std::string::npos) << report;
+  EXPECT_NE(report.find("82080 s (22.8 h) (the time asked for)"), std::string::npos) << report;
+  const YAML::Node json = YAML::Load(summary_json(a_case(), summary, {"1", "time", "", 1, 1}));
+  EXPECT_EQ(json["unsettled_pressure_steps"].as<int>(), 3);
+}
+
 TEST(Progress, ShowsTimeShareTimeLeftClockAndDisplacement) {
   EXPECT_EQ(progress_text({412.3, 0.25, 12.4, 0.00123, 1000, {}}, 2400.0, 50.0),
             "412.3 s of 2400 s   25 %  2:30 left  clock x12.4  displacement 1.2 mm");

@@ -62,6 +62,12 @@ std::string report_text(const couple::Case& input, const couple::Summary& summar
   }
   line("cost", fmt::format("{} particles, {} steps, {:.1f} s on {} thread{}", summary.particles, summary.steps,
                            record.wall_time, record.threads, record.threads == 1 ? "" : "s"));
+  if (summary.unsettled_steps > 0) {
+    line("unsettled",
+         fmt::format("{} steps whose pore pressures kept changing to the last iteration; what that left of the "
+                     "water went to the steps after them",
+                     summary.unsettled_steps));
+  }
   return text;
 }
 

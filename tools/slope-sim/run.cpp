@@ -18,7 +18,7 @@ namespace slope::tools {
 
 namespace {
 
-constexpr double stands = 1.0e-3;  // unbalanced over gravity forces, below which a slope is at rest before the start
+constexpr double at_rest = 1.0e-3;  // unbalanced over gravity forces, below which a slope stands before the start
 
 /// One run: the simulation, where its results go, and what is shown of it.
 class Run {
@@ -73,11 +73,10 @@ class Run {
 
   void warn_of_unbalanced_start() {
     const double unbalanced = simulation_.summary().initial_unbalanced_ratio;
-    if (unbalanced < stands) return;
+    if (unbalanced < at_rest) return;
     const std::string text = fmt::format(
-        "no balance was found before the start: {:.1f} % of the weight stays unbalanced, so the slope begins to move "
-        "at "
-        "once; make it stronger, flatter or drier, or take it for what it is",
+        "no balance was found before the start: {:.1f} % of the weight stays unbalanced, and the slope moves at once; "
+        "make it stronger, flatter or drier, or take it for what it is",
         100.0 * unbalanced);
     writer_.log(text);
     progress_.say(text);

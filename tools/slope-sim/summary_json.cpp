@@ -110,6 +110,7 @@ std::string summary_json(const couple::Case& input, const couple::Summary& summa
       .set("particles", count(summary.particles))
       .set("steps", count(summary.steps))
       .set("mean_pressure_iterations", number(summary.mean_pressure_iterations))
+      .set("unsettled_pressure_steps", number(static_cast<double>(summary.unsettled_steps)))
       .set("threads", number(record.threads))
       .set("wall_time_s", number(record.wall_time));
   return json_text(root);

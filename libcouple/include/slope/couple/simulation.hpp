@@ -111,6 +111,7 @@ struct Summary {
   std::size_t particles = 0;
   std::size_t steps = 0;
   double mean_pressure_iterations = 0.0;
+  std::size_t unsettled_steps = 0;  ///< whose pressures were taken as they were after the last iteration allowed
 };
 
 /// What advance() came to.
