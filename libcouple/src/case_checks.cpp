@@ -111,6 +111,12 @@ bool overlap(const PlaceRange& a, const PlaceRange& b) {
   return a.place == b.place && std::max(a.from, b.from) < std::min(a.to, b.to);
 }
 
+/// Whether the particles of one condition, given at the start, are those of the free surface on which another one acts.
+bool takes_surface_of(const WaterBoundary& fixed, const WaterBoundary& surface) {
+  return fixed.where.place == Place::ground_surface && surface.where.place == Place::free_surface &&
+         std::max(fixed.where.from, surface.where.from) < std::min(fixed.where.to, surface.where.to);
+}
+
 /// A particle whose pressure is held, or on which rain falls or water stands, takes no second such condition of that
 /// place. Rain may fall on a reservoir, and fluxes add to each other and to free drainage.
 void check_overlaps(const Input& place, const std::vector<WaterBoundary>& boundaries) {
@@ -123,6 +129,12 @@ void check_overlaps(const Input& place, const std::vector<WaterBoundary>& bounda
   for (std::size_t i = 0; i < boundaries.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
       const WaterBoundary &a = boundaries[i], &b = boundaries[j];
+      if (takes_surface_of(a, b) || takes_surface_of(b, a)) {
+        place.item(i).problem(
+            fmt::format("overlaps with \"{}\": what is prescribed at the ground_surface takes the place of rain and "
+                        "reservoirs on the free_surface; part them by \"from\" and \"to\", or remove one",
+                        b.name));
+      }
       const bool add_up = (flux(a) && (flux(b) || drain(b))) || (drain(a) && flux(b));
       if (!overlap(a.where, b.where) || add_up) continue;
       const bool surface = a.where.place == Place::free_surface;
@@ -159,7 +171,8 @@ void check_reservoirs(const Input& place, const Case& input, const InitialPartic
       if ((x >= where.from && x <= where.to) || ground >= level || share.of(i, x).value == 0.0) continue;
       place.item(i).problem(fmt::format(
           "the ground at x = {:g} m, y = {:g} m lies beyond \"from\" and \"to\", but below the highest level, {:g} m; "
-          "widen the range, or move the water alone with \"coupling: {{scheme: seepage}}\"",
+          "widen the range, give that side a reservoir of its own, or move the water alone with \"coupling: {{scheme: "
+          "seepage}}\"",
           x, ground, level));
       break;
     }
@@ -218,6 +231,40 @@ void check_times(const Input& list, const std::vector<double>& times, double end
   }
 }
 
+/// More files or rows than this are taken for a slip of the unit.
+constexpr double most_snapshots = 1.0e4, most_rows = 1.0e6;
+
+void check_output(const Input& place, const Case& input) {
+  const auto check = [&](const char* key, double interval, double most, const char* what) {
+    if (input.stop.time / interval <= most) return;
+    place.at(key).problem(
+        fmt::format("makes {:.3g} {} until stop.time = {:g} s, at most {:g} are possible; choose {:g} s "
+                    "or more",
+                    input.stop.time / interval, what, input.stop.time, most, input.stop.time / most));
+  };
+  check("snapshot_interval", input.output.snapshot_interval, most_snapshots, "particle files");
+  check("history_interval", input.output.history_interval, most_rows, "rows");
+}
+
+/// Water above the ground that nothing holds there would fall on the soil as pressure without weight.
+void check_water_table(const Input& place, const Case& input, const InitialParticles& particles) {
+  const auto* hydrostatic = std::get_if<HydrostaticWater>(&input.initial_water);
+  const bool reservoir = std::any_of(input.water_boundaries.begin(), input.water_boundaries.end(), [](const auto& b) {
+    return b.initial && std::holds_alternative<Reservoir>(b.condition);
+  });
+  if (hydrostatic == nullptr || reservoir || input.scheme == Scheme::seepage) return;
+  for (const std::size_t p : particles_at({}, particles)) {
+    const double ground = particles.y[p] + particles.face_distance[p];
+    if (hydrostatic->water_table <= ground + particles.spacing) continue;
+    place.at("water_table")
+        .problem(fmt::format(
+            "stands {:g} m above the ground at x = {:g} m; add a reservoir of that level with \"initial: true\" to "
+            "water_boundaries, or lower it",
+            hydrostatic->water_table - ground, particles.x[p]));
+    return;
+  }
+}
+
 void check_reference(const Input& root, const Case& input) {
   if (input.figures.profile_reference.empty()) return;
   const auto path = std::filesystem::path(input.path).parent_path() / input.figures.profile_reference;
@@ -251,9 +298,13 @@ void check_case(const Input& root, const Case& input) {
       if (root.clean("coupling")) check_reservoirs(water, input, particles);
     }
     if (root.clean("loads")) check_places(root.at("loads"), input.tractions, particles);
+    if (root.clean("water_boundaries") && root.clean("initial") && root.clean("coupling")) {
+      check_water_table(root.at("initial").at("water"), input, particles);
+    }
   }
   if (root.clean("initial") && root.clean("soils")) check_k0(root, input);
   if (root.clean("stop") && root.clean("output") && root.clean("figures")) {
+    check_output(root.at("output"), input);
     check_times(root.at("output").at("snapshots"), input.output.snapshots, input.stop.time);
     check_times(root.at("figures").at("profile_times"), input.figures.profile_times, input.stop.time);
     check_times(root.at("figures").at("contour_times"), input.figures.contour_times, input.stop.time);

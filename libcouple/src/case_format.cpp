@@ -281,8 +281,10 @@ Format<Output> output_format() {
                 "times of the particle files; start, onset, end and the times of the figures come on top")
       .optional("snapshot_interval", &Output::snapshot_interval, quantity(Dimension::time, above(0.0)),
                 "particle files at every multiple of this as well")
-      .optional("history_interval", &Output::history_interval, quantity(Dimension::time, above(0.0)),
-                "between the rows of the history table")
+      .optional(
+          "history_interval", &Output::history_interval, quantity(Dimension::time, above(0.0)),
+          "between the rows of the history table, at which steps end; without it a thousandth of stop.time, but 1 s at "
+          "least")
       .format();
 }
 

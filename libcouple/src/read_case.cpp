@@ -50,6 +50,9 @@ Case read_case(const std::filesystem::path& file, const std::vector<std::string>
     throw InputError(std::move(problems));
   }
   add_figure_times(result);
+  if (!root.at("output").has("history_interval")) {
+    result.output.history_interval = std::max(1.0, 1.0e-3 * result.stop.time);
+  }
   return result;
 }
 

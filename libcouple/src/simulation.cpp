@@ -86,6 +86,7 @@ struct Simulation::State {
     result.particles = particles.x.size();
   }
 
+  void find_initial_state();
   void step();
   seepage::SolveReport step_mixture(double next);
   seepage::SolveReport step_water(SeepageScheme& seepage, double next);
@@ -258,8 +259,8 @@ Simulation::~Simulation() = default;
 Simulation::Simulation(Simulation&&) noexcept = default;
 Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 
-void Simulation::initialise() {
-  State& s = *state_;
+void Simulation::State::find_initial_state() {
+  State& s = *this;
   if (std::holds_alternative<SteadyWater>(s.input.initial_water)) find_steady_flow(s.mixture, s.conditions);
   s.mixture.weigh_water();
   s.conditions.remember_pressures(s.mixture.water.pressure());
@@ -284,6 +285,17 @@ void Simulation::initialise() {
     s.result.initial_head_flux = std::max(s.result.initial_head_flux, std::hypot(wx[p], wy[p]) / saturated);
   }
   s.measure_pressure();
+}
+
+void Simulation::initialise() {
+  try {
+    state_->find_initial_state();
+  } catch (const solid::SolidError& error) {
+    throw SimulationError(std::string("before the start: soil ") + error.what() +
+                          "; the weight may be too much for the stiffness, youngs_modulus");
+  } catch (const seepage::SeepageError& error) {
+    throw SimulationError(std::string("before the start: pore water, ") + error.what());
+  }
 }
 
 Event Simulation::advance() {

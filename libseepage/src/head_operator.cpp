@@ -44,7 +44,7 @@ void HeadOperator::find_pair_factors(const Skeleton& skeleton) {
   factor_.assign(neighbours_.index.size(), 0.0);
   conductance_.resize(factor_.size());
   diagonal_.resize(n);
-  root_conductivity_.resize(n);
+  conductivity_.resize(n);
 #pragma omp parallel for schedule(static) num_threads(threads_) if (threads_ > 1)
   for (std::size_t p = 0; p < n; ++p) {
     std::size_t s = neighbours_.start[p];
@@ -56,20 +56,28 @@ void HeadOperator::find_pair_factors(const Skeleton& skeleton) {
   }
 }
 
-void HeadOperator::set_conductivity(std::span<const double> conductivity) {
-  constexpr double sixth = 1.0 / 6.0;
-  for (std::size_t p = 0; p < diagonal_.size(); ++p) root_conductivity_[p] = std::sqrt(conductivity[p]);
+void HeadOperator::set_conductivity(std::span<const double> conductivity, std::span<const double> pressure_head) {
+  for (std::size_t p = 0; p < diagonal_.size(); ++p) {
+    conductivity_[p] = {conductivity[p], pressure_head.empty() ? 0.0 : pressure_head[p]};
+  }
 #pragma omp parallel for schedule(static) num_threads(threads_) if (threads_ > 1)
   for (std::size_t p = 0; p < diagonal_.size(); ++p) {
-    const double here = conductivity[p], root = root_conductivity_[p];
     double sum = 0.0;
     for (std::size_t s = neighbours_.start[p]; s < neighbours_.start[p + 1]; ++s) {
       const std::size_t q = neighbours_.index[s];
-      conductance_[s] = sixth * factor_[s] * (here + 4.0 * root * root_conductivity_[q] + conductivity[q]);
+      const auto [first, second] = std::minmax(p, q);  // the same for both particles, to the last digit
+      conductance_[s] = factor_[s] * mean_conductivity(conductivity_[first], conductivity_[second],
+                                                       y_weighted_[first] - y_weighted_[second]);
       sum += conductance_[s];
     }
     diagonal_[p] = sum;
   }
+}
+
+double HeadOperator::conductance_slope(std::size_t p, std::size_t s, double conductivity_slope) const {
+  const std::size_t q = neighbours_.index[s];
+  return factor_[s] * mean_conductivity_slope(conductivity_[p], conductivity_[q], y_weighted_[p] - y_weighted_[q],
+                                              conductivity_slope);
 }
 
 void HeadOperator::apply(std::span<const double> head, std::span<double> outflow) const {

@@ -22,9 +22,10 @@ PoreFlow::PoreFlow(std::vector<Soil> soils, const Water& water, std::span<const 
       pressure_(pressure.begin(), pressure.end()) {
   const std::size_t n = pressure_.size();
   for (std::size_t p = 0; p < n; ++p) particles_of_soil_[soil_[p]].push_back(static_cast<std::uint32_t>(p));
-  for (auto* v : {&suction_, &saturation_, &pore_stress_, &capacity_, &conductivity_, &head_, &content_, &defect_,
-                  &change_, &stress_change_, &storage_, &right_side_, &diagonal_, &outflow_, &work_, &work2_,
-                  &storage_offset_, &storage_slope_, &touched_}) {
+  for (auto* v :
+       {&suction_, &saturation_, &pore_stress_, &capacity_,       &conductivity_,  &pressure_head_, &head_,
+        &content_, &defect_,     &change_,      &stress_change_,  &storage_,       &right_side_,    &diagonal_,
+        &outflow_, &work_,       &work2_,       &storage_offset_, &storage_slope_, &touched_}) {
     v->assign(n, 0.0);
   }
   is_held_.assign(n, 0);
@@ -67,41 +68,44 @@ void PoreFlow::evaluate_soil() {
 void PoreFlow::find_head(const Skeleton& skeleton) {
   const double inverse_weight = 1.0 / water_.unit_weight();
   elevation_.assign(skeleton.y.begin(), skeleton.y.end());
-  for (std::size_t p = 0; p < pressure_.size(); ++p) head_[p] = pressure_[p] * inverse_weight + elevation_[p];
+  for (std::size_t p = 0; p < pressure_.size(); ++p) {
+    pressure_head_[p] = pressure_[p] * inverse_weight;
+    head_[p] = pressure_head_[p] + elevation_[p];
+  }
 }
 
 double PoreFlow::water_of(std::size_t p, const Skeleton& skeleton) const {
   return skeleton.porosity[p] * saturation_[p] * skeleton.volume[p] * (1.0 + pressure_[p] / water_.bulk_modulus);
 }
 
-// Half a spacing of soil between the face and its particle; its mean conductivity is the integral over the pressure
-// from one to the other, by Simpson's rule.
-double PoreFlow::face_conductance(const FacePressure& face) const {
-  const Soil& soil = soils_[soil_[face.particle]];
-  const auto conductivity = [&](double pressure) {
-    const double suction_head = -pressure / water_.unit_weight();
-    const double saturation = evaluate(soil.retention, suction_head).saturation;
-    return soil.hydraulic_conductivity * soil.relative_permeability.evaluate(suction_head, saturation);
-  };
-  const double middle = conductivity(0.5 * (face.pressure + pressure_[face.particle]));
-  const double mean = (conductivity(face.pressure) + 4.0 * middle + conductivity_[face.particle]) / 6.0;
-  return mean * face.area / face.distance;
-}
-
-// d(k k_rw)/dP_w of a particle's soil at a pressure (m/s/Pa), >= 0.
-double PoreFlow::permeability_slope(std::size_t p, double pressure) const {
+ConductivityAt PoreFlow::conductivity_at(std::size_t p, double pressure) const {
   const Soil& soil = soils_[soil_[p]];
   const double suction_head = -pressure / water_.unit_weight();
-  const Saturation saturation = evaluate(soil.retention, suction_head);
-  return -soil.hydraulic_conductivity * soil.relative_permeability.slope(suction_head, saturation) /
-         water_.unit_weight();
+  const double saturation = evaluate(soil.retention, suction_head).saturation;
+  return {soil.hydraulic_conductivity * soil.relative_permeability.evaluate(suction_head, saturation), -suction_head};
 }
 
-// How the conductance of a face changes with the particle's pressure (m/s/Pa).
+// d(k k_rw)/dpsi of a particle at its present pressure (1/s), >= 0.
+double PoreFlow::conductivity_slope(std::size_t p) const {
+  const Soil& soil = soils_[soil_[p]];
+  const double suction_head = -pressure_[p] / water_.unit_weight();
+  return -soil.hydraulic_conductivity *
+         soil.relative_permeability.slope(suction_head, evaluate(soil.retention, suction_head));
+}
+
+// Half a spacing of soil between the face and its particle.
+double PoreFlow::face_conductance(const FacePressure& face) const {
+  const ConductivityAt particle{conductivity_[face.particle], pressure_[face.particle] / water_.unit_weight()};
+  return mean_conductivity(conductivity_at(face.particle, face.pressure), particle, face.rise) * face.area /
+         face.distance;
+}
+
+// How the conductance of a face changes with the particle's head (1/s).
 double PoreFlow::face_conductance_slope(const FacePressure& face) const {
-  const double pressure = pressure_[face.particle];
-  const double middle = permeability_slope(face.particle, 0.5 * (face.pressure + pressure));
-  return (2.0 * middle + permeability_slope(face.particle, pressure)) / 6.0 * face.area / face.distance;
+  const std::size_t p = face.particle;
+  const ConductivityAt particle{conductivity_[p], pressure_[p] / water_.unit_weight()};
+  return mean_conductivity_slope(particle, conductivity_at(p, face.pressure), -face.rise, conductivity_slope(p)) *
+         face.area / face.distance;
 }
 
 double PoreFlow::face_inflow(const FacePressure& face, double head) const {
@@ -133,8 +137,7 @@ void PoreFlow::find_drain_laws(const Boundary& boundary) {
   drain_laws_.clear();
   for (const Drain& drain : boundary.drains) {
     const std::size_t p = drain.particle;
-    const double slope = permeability_slope(p, pressure_[p]) * water_.unit_weight();
-    drain_laws_.push_back({drain.width * conductivity_[p], drain.width * slope, head_[p],
+    drain_laws_.push_back({drain.width * conductivity_[p], drain.width * conductivity_slope(p), head_[p],
                            drain.width * soils_[soil_[p]].hydraulic_conductivity});
   }
 }

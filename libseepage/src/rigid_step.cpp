@@ -50,7 +50,7 @@ void PoreFlow::assemble(double time_step, bool lagged) {
   const auto* inner = matrix_.innerIndexPtr();
   std::size_t k = 0, s = 0;
   for (std::size_t p = 0; p < n; ++p) {
-    const double permeability = lagged || is_held_[p] != 0 ? 0.0 : time_step * permeability_slope(p, pressure_[p]);
+    const double slope = lagged || is_held_[p] != 0 ? 0.0 : conductivity_slope(p);
     const std::size_t end = k + neighbours.of(p).size() + 1;
     double own = storage_[p] + flow_scale * operator_.diagonal()[p];
     double* diagonal = nullptr;
@@ -61,8 +61,7 @@ void PoreFlow::assemble(double time_step, bool lagged) {
         continue;
       }
       // what p's pressure changes in the flow from p to q
-      const double more =
-          permeability > 0.0 ? permeability * operator_.conductance_slope(p, s) * (head_[p] - head_[q]) : 0.0;
+      const double more = lagged ? 0.0 : flow_scale * operator_.conductance_slope(p, s, slope) * (head_[p] - head_[q]);
       value[k] = is_held_[p] != 0 || is_held_[q] != 0 ? 0.0 : -flow_scale * conductance[s] - more;
       own += more;
       ++s;
@@ -77,7 +76,7 @@ void PoreFlow::assemble(double time_step, bool lagged) {
 double PoreFlow::find_imbalance(double time_step, const Skeleton& skeleton, const Boundary& boundary) {
   const double flow_scale = time_step / water_.unit_weight();
   find_head(skeleton);
-  operator_.set_conductivity(conductivity_);
+  operator_.set_conductivity(conductivity_, pressure_head_);
   operator_.apply(head_, outflow_);
   for (std::size_t p = 0; p < pressure_.size(); ++p) {
     storage_[p] = skeleton.volume[p] * skeleton.porosity[p] *
@@ -107,9 +106,10 @@ double PoreFlow::find_imbalance(double time_step, const Skeleton& skeleton, cons
 
 // Adds to storage_ what the pressure of their particles changes in the conductances of faces.
 void PoreFlow::add_face_slopes(double time_step, const Boundary& boundary) {
+  const double flow_scale = time_step / water_.unit_weight();
   const auto add = [&](const FacePressure& face) {
     const double face_head = face.pressure / water_.unit_weight() + elevation_[face.particle] + face.rise;
-    storage_[face.particle] -= time_step * face_conductance_slope(face) * (face_head - head_[face.particle]);
+    storage_[face.particle] -= flow_scale * face_conductance_slope(face) * (face_head - head_[face.particle]);
   };
   for (const FacePressure& face : boundary.faces) add(face);
   for (std::size_t k = 0; k < open_laws_.size(); ++k) {

@@ -66,6 +66,14 @@ class SlopeSim : public testing::Test {
   fs::path scratch_;
 };
 
+TEST_F(SlopeSim, TellsOfSoilThatItsWeightCrushesBeforeTheStart) {
+  const Outcome outcome = call({"run", quick, "-o", "soft", "--set", "soils.silty_sand.youngs_modulus=1 kPa", "--set",
+                                "soils.silty_sand.strength={model: elastic}"});
+  EXPECT_EQ(outcome.exit_code, 3);
+  EXPECT_NE(outcome.errors.find("before the start: soil particle"), std::string::npos) << outcome.errors;
+  EXPECT_NE(outcome.errors.find("youngs_modulus"), std::string::npos);
+}
+
 TEST_F(SlopeSim, SaysSoIfTheSlopeDoesNotStandBeforeTheStart) {
   EXPECT_EQ(call({"run", quick, "-o", "stands", "--set", "stop.time=0.01 s"}).errors.find("no balance"),
             std::string::npos);

@@ -212,7 +212,11 @@ void draw_contour_panel(Canvas& canvas, const Box& box, const ContourPanel& pane
   const auto& domain = panel.domain;
   const ImageGrid grid{domain.lower, domain.upper, std::max(2, static_cast<int>(box.width() / pixels_per_cell)),
                        std::max(2, static_cast<int>(box.height() / pixels_per_cell))};
-  const FieldImage image(panel.particles, grid, {panel.field.array, pressure_array});
+  std::vector<std::string> fields{pressure_array};
+  if (panel.field.array != pressure_array) {
+    fields.push_back(panel.field.array);
+  }
+  const FieldImage image(panel.particles, grid, fields);
   const PlotFrame frame = panel_frame(box, panel);
   const double em = canvas.em();
   const auto to_pixels = [&frame, em](const std::vector<FieldImage::Line>& lines) {

@@ -34,7 +34,7 @@ struct ImageGrid {
 /// rectangle, the walls, the particles are mirrored so that the soil reaches up to them.
 class FieldImage {
  public:
-  /// @param fields  names of point arrays of the particles; of vectors the length is taken.
+  /// @param fields  names of point arrays of the particles, each once; of vectors the length is taken.
   FieldImage(vtkPolyData* particles, const ImageGrid& grid, const std::vector<std::string>& fields);
 
   /// Whether the soil covers a point of the rectangle (m).

@@ -1,8 +1,11 @@
 #include <fmt/format.h>
+#include <stdlib.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <string>
 #include <vector>
@@ -43,6 +46,15 @@ void add_case(CLI::App& command, std::string& file, std::vector<std::string>& ov
 ExitCode fail(const std::exception& error, ExitCode code) {
   fmt::print(stderr, "{}\n", error.what());
   return code;
+}
+
+/// OpenMP reads how its threads wait for each other when the program is loaded. Spinning, they hinder each other
+/// wherever cores are fewer than threads: the program starts itself anew with waiting asked for, unless the user has
+/// chosen.
+void wait_without_spinning(char** arguments) {
+  if (std::getenv("OMP_WAIT_POLICY") != nullptr) return;
+  setenv("OMP_WAIT_POLICY", "passive", 0);
+  execv("/proc/self/exe", arguments);  // returns only if that is impossible: then they spin
 }
 
 /// Files of the two commands that make one.
@@ -110,6 +122,7 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : static_cast<int>(ExitCode::bad_input);
   }
+  if (options.threads > 1) wait_without_spinning(argv);
   options.case_file = case_file;
   options.folder = folder;
   return static_cast<int>(execute(app, options, files));

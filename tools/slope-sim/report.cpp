@@ -45,7 +45,7 @@ std::string report_text(const couple::Case& input, const couple::Summary& summar
   };
   line("end", fmt::format("{} ({})", seconds_text(summary.time), end_text(input, record)));
   line("onset", onset_text(summary));
-  line("displacement", fmt::format("{:.3g} m at most", summary.largest_displacement));
+  line("displacement", fmt::format("{:.3g} m at the end, where it is largest", summary.largest_displacement));
   const std::string threshold = fmt::format("deviatoric strain above {:g} %", 100.0 * input.failure_zone_strain);
   if (summary.zone_at_10_cm)
     line("zone at 10 cm", fmt::format("{} ({})", zone_text(*summary.zone_at_10_cm), threshold));

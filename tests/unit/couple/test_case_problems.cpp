@@ -292,7 +292,7 @@ const Mistake places[] = {
      "at: ground_surface, pressure: 0 kPa, applied_to: particle, start: 0 s, ramp: 5 s",
      "at: free_surface, from: 12 m, reservoir: {level: 6.5 m}", "water_boundaries.rain",
      R"(the ground at x = 0.125 m, y = 5 m lies beyond "from" and "to", but below the highest level, 6.5 m; widen the )"
-     R"(range, or move the water alone with "coupling: {scheme: seepage}")"},
+     R"(range, give that side a reservoir of its own, or move the water alone with "coupling: {scheme: seepage}")"},
     {"TwoReservoirsOnOneParticle",
      "water_boundaries:\n  - {name: rain, at: ground_surface, pressure: 0 kPa, applied_to: particle, start: 0 s, ramp: "
      "5 "
@@ -315,8 +315,21 @@ const Mistake places[] = {
      "  - {name: rain, at: free_surface, to: 9 m, reservoir: {level: 4 m}}",
      "water_boundaries.lake",
      R"(the ground at x = 9.125 m, y = 5 m lies beyond "from" and "to", but below the highest level, 5.5 m; widen the )"
-     R"(range, or move the water alone with "coupling: {scheme: seepage}")",
+     R"(range, give that side a reservoir of its own, or move the water alone with "coupling: {scheme: seepage}")",
      1},
+    {"RainOnAGroundWhosePressureIsHeld", "water_boundaries:\n",
+     "water_boundaries:\n  - {name: storm, at: free_surface, from: 9 m, rain: {intensity: 1 mm/h}}\n",
+     "water_boundaries.rain",
+     R"(overlaps with "storm": what is prescribed at the ground_surface takes the place of rain and reservoirs on the )"
+     R"(free_surface; part them by "from" and "to", or remove one)",
+     2},
+    {"WaterTableInTheAir", "water_table: 3 m", "water_table: 7 m", "initial.water.water_table",
+     R"(stands 2 m above the ground at x = 0.125 m; add a reservoir of that level with "initial: true" to )"
+     "water_boundaries, or lower it"},
+    {"TooManySnapshots", "snapshot_interval: 1 min", "snapshot_interval: 1e-3 s", "output.snapshot_interval",
+     "makes 2.4e+06 particle files until stop.time = 2400 s, at most 10000 are possible; choose 0.24 s or more"},
+    {"TooManyRows", "history_interval: 1 s", "history_interval: 1e-6 s", "output.history_interval",
+     "makes 2.4e+09 rows until stop.time = 2400 s, at most 1e+06 are possible; choose 0.0024 s or more"},
     {"LoadBesideTheSoil", "coupling:\n",
      "loads:\n  - {name: fill, at: base, to: -1 m, traction: [0 Pa, 1 kPa]}\n\ncoupling:\n", "loads.fill",
      R"(no particle lies there; check "at", "from" and "to")", 1},

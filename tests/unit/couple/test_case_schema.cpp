@@ -253,7 +253,7 @@ TEST_F(CaseSchema, EveryAlternativeIsAccepted) {
       "seismic={horizontal_coefficient: 0.1, vertical_coefficient: -5 %, start: 1 s, ramp: 2 s}",
       "initial={water: {type: uniform, pressure: 0 kPa}, stress: k0, k0_coefficient: 0.6}",
       "initial.water={type: uniform, pressure: -3 kPa}",
-      "initial.water={type: hydrostatic, water_table: 2 m, maximum_suction: 50 kPa}",
+      "initial.water={type: hydrostatic, water_table: 1 m, maximum_suction: 50 kPa}",
   };
   const CaseFolder folder;
   for (const std::string& assignment : assignments) {

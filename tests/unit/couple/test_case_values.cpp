@@ -136,6 +136,7 @@ std::string full_case() {
       "  - {name: drizzle, at: right, from: 11 m, flux: 36 mm/h, start: 3 min}\n"
       "  - {name: storm, at: free_surface, to: 9 m, rain: {hyetograph: [[1 h, 36 mm/h], [2 h, -3.6 mm/h]], "
       "ponding_depth: 5 mm, evaporation_limit: 50 kPa, before_start: 3.6 mm/h}}\n");
+  replace("at: ground_surface, pressure: 0 kPa", "at: ground_surface, from: 9 m, pressure: 0 kPa");
   replace("left: roller, right: roller, base: fixed",
           "left: friction, right: roller, base: absorbing, left_friction: 0.3, absorbing_depth: 20 m");
   replace("stress: self_weight", "stress: k0\n  k0_coefficient: 0.6");
@@ -240,6 +241,14 @@ TEST(CaseValues, EveryKeyIsWrittenBack) {
                            "to_plastic_strain: 0.1", "youngs_modulus: 10 MPa", "friction_angle: 25 deg"}) {
     EXPECT_NE(resolved.find(line), std::string::npos) << line << "\n" << resolved;
   }
+}
+
+TEST(CaseValues, TheHistoryHasAThousandRowsUnlessTheCaseSays) {
+  const CaseFolder folder;
+  std::string content = slope_with("  history_interval: 1 s\n", "").content;
+  EXPECT_EQ(read_case(folder.write("slope.yaml", content)).output.history_interval, 2.4);
+  content.replace(content.find("time: 40 min"), 12, "time: 1 min");
+  EXPECT_EQ(read_case(folder.write("short.yaml", content)).output.history_interval, 1.0);
 }
 
 TEST(CaseValues, RainComesFromAFileBesideTheCaseOrItsBase) {

@@ -291,9 +291,11 @@ TEST_F(Column, FindsSteepStatesInFewIterations) {
     boundary.count = 1;
     PoreFlow water_flow({soil}, water, std::vector<std::uint16_t>(n, 0), std::vector<double>(n, -4000.0),
                         particles.skeleton(), settings);
-    for (double step = 1.0; step < 1.0e8; step *= 4.0) {
-      ASSERT_TRUE(water_flow.advance(step, particles.skeleton(), boundary, 1.0e-2).converged) << name << " " << step;
+    double step = 1.0;
+    for (int k = 0; k < 100 && step < 1.0e8; ++k) {
+      step *= water_flow.advance(step, particles.skeleton(), boundary, 1.0e-2).converged ? 4.0 : 0.25;
     }
+    ASSERT_GE(step, 1.0e8) << name;
     for (FacePressure& face : boundary.faces) face.pressure += 50.0;
     for (HeldPressure& held : boundary.held) held.pressure += 50.0;
     for (Inflow& inflow : boundary.inflows) inflow.rate *= 1.02;

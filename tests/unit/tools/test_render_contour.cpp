@@ -21,6 +21,18 @@ ContourPanel panel_of(vtkPolyData* particles, const std::string& field) {
   return panel;
 }
 
+TEST(ContourPicture, DrawsEveryField) {
+  const ScratchFolder folder;
+  const auto particles = as_polydata(synthetic_slope(0.0));
+  for (const Field& field : drawable_fields()) {
+    Canvas canvas(800, 340, 32.0);
+    draw_contour_panel(canvas, {60.0, 40.0, 780.0, 320.0}, panel_of(particles, field.name));
+    canvas.write_png(folder.path() / (field.name + ".png"));
+    const PictureFile picture(folder.path() / (field.name + ".png"));
+    EXPECT_FALSE(picture.is_white(60 + 20 * 30, 40 + 20 * 8)) << field.name;
+  }
+}
+
 TEST(ContourPicture, ShowsStandingWaterInItsRange) {
   const ScratchFolder folder;
   const auto particles = as_polydata(synthetic_slope(0.0));

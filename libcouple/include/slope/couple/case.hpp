@@ -207,7 +207,7 @@ struct Output {
   std::vector<double> snapshots;     ///< times of the particle files (s), those of the figures among them; start,
                                      ///< onset and end are always written
   double snapshot_interval = never;  ///< (s)
-  double history_interval = 1.0;     ///< (s), > 0
+  double history_interval = 1.0;     ///< (s), > 0; not given: a thousandth of stop.time, but 1 s at least
 };
 
 /// What slope-render draws beside the standard pictures.

@@ -134,6 +134,7 @@ class Simulation {
   Simulation& operator=(Simulation&&) noexcept;
 
   /// Initial pore pressure and self-weight stress at fixed positions; time is zero afterwards.
+  /// @throws SimulationError when the physics breaks or no steady flow is found.
   void initialise();
   /// Steps until something is due, or at most a few hundred steps.
   /// @throws SimulationError when the physics breaks; the state before the step stays readable.

@@ -6,6 +6,7 @@
 
 #include "slope/seepage/images.hpp"
 #include "slope/seepage/kernel.hpp"
+#include "slope/seepage/mean_conductivity.hpp"
 #include "slope/seepage/neighbours.hpp"
 #include "slope/seepage/skeleton.hpp"
 
@@ -13,13 +14,12 @@ namespace slope::seepage {
 
 /// The pairwise, conservative SPH operator of the hydraulic head h = P_w / gamma_w + y:
 ///
-///     (L h)_p = sum_q g_pq K_pq (h_p - h_q),   g_pq = g_qp > 0,   K_pq = (K_p + 4 sqrt(K_p K_q) + K_q) / 6,
+///     (L h)_p = sum_q g_pq K_pq (h_p - h_q),   g_pq = g_qp > 0,   K_pq = mean_conductivity(p, q) = K_qp > 0,
 ///
 /// the outflow of particle p (m2/s per metre of thickness). Symmetric and positive semidefinite; what leaves p enters
 /// q; a uniform head does not flow. g_pq = 2 V_p V_q F_pq c_pq, F = -W'/r, with a MomentCorrection c that makes
 /// conduction exact in all directions on any lattice, and linear heads flow without residual, up to a free surface.
-/// K_pq is Simpson's rule for the mean between the particles, with the geometric mean in the middle: exact to fourth
-/// order where k_rw is exponential in suction. At walls the mirror images of the neighbours are part of the sums, which
+/// At walls the mirror images of the neighbours are part of the sums, which
 /// makes the wall impermeable.
 class HeadOperator {
  public:
@@ -30,8 +30,9 @@ class HeadOperator {
   /// spacing since the last time. @return whether it did.
   bool update(const Skeleton& skeleton);
 
-  /// Conductances of the pairs for the conductivities K_p = k k_rw (m/s).
-  void set_conductivity(std::span<const double> conductivity);
+  /// Conductances of the pairs for the conductivities K_p = k k_rw (m/s). @param pressure_head  P_w / gamma_w (m);
+  /// empty: the same everywhere, and K_pq the logarithmic mean
+  void set_conductivity(std::span<const double> conductivity, std::span<const double> pressure_head = {});
 
   /// outflow = L h (m2/s).
   void apply(std::span<const double> head, std::span<double> outflow) const;
@@ -42,11 +43,9 @@ class HeadOperator {
   /// Conductance of each pair (m/s), in the order of neighbours().index.
   [[nodiscard]] std::span<const double> conductance() const { return conductance_; }
 
-  /// How the conductance of the pair that stands in place s of neighbours().index changes with the conductivity of its
-  /// first particle p (m/s per m/s).
-  [[nodiscard]] double conductance_slope(std::size_t p, std::size_t s) const {
-    return factor_[s] * (1.0 + 2.0 * root_conductivity_[neighbours_.index[s]] / root_conductivity_[p]) / 6.0;
-  }
+  /// How the conductance of the pair that stands in place s of neighbours().index changes with the pressure head of its
+  /// first particle p (1/s), whose conductivity has a slope over it (1/s).
+  [[nodiscard]] double conductance_slope(std::size_t p, std::size_t s, double conductivity_slope) const;
 
   /// Gradient (per metre) of a particle field, exact for linear fields; mirror images continue it evenly over walls.
   void gradient(std::span<const double> field, const Skeleton& skeleton, std::span<double> dx,
@@ -66,7 +65,7 @@ class HeadOperator {
   std::vector<double> x_weighted_, y_weighted_;  // positions when the pair factors were worked out
   std::vector<double> factor_;                   // g_pq
   std::vector<double> conductance_;              // g_pq K_pq
-  std::vector<double> root_conductivity_;
+  std::vector<ConductivityAt> conductivity_;     // of the particles
   std::vector<double> diagonal_;
 };
 

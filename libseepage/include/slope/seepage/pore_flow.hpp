@@ -146,7 +146,8 @@ class PoreFlow {
   void evaluate_soil();
   void find_head(const Skeleton& skeleton);
   [[nodiscard]] double water_of(std::size_t p, const Skeleton& skeleton) const;
-  [[nodiscard]] double permeability_slope(std::size_t p, double pressure) const;
+  [[nodiscard]] ConductivityAt conductivity_at(std::size_t p, double pressure) const;
+  [[nodiscard]] double conductivity_slope(std::size_t p) const;
   [[nodiscard]] double face_conductance(const FacePressure& face) const;
   [[nodiscard]] double face_conductance_slope(const FacePressure& face) const;
   [[nodiscard]] double face_inflow(const FacePressure& face, double head) const;
@@ -173,12 +174,12 @@ class PoreFlow {
   std::vector<std::vector<std::uint32_t>> particles_of_soil_;
 
   std::vector<double> pressure_, suction_, saturation_, pore_stress_;
-  std::vector<double> capacity_;      // dS_r/dP_w (1/Pa)
-  std::vector<double> conductivity_;  // k k_rw (m/s)
-  std::vector<double> head_;          // (m)
-  std::vector<double> elevation_;     // of the particles during the step (m)
-  std::vector<double> content_;       // water of each particle at its last booking (m2)
-  std::vector<double> defect_;        // water that the last booking left unexplained (m2)
+  std::vector<double> capacity_;              // dS_r/dP_w (1/Pa)
+  std::vector<double> conductivity_;          // k k_rw (m/s)
+  std::vector<double> pressure_head_, head_;  // P_w / gamma_w, h (m)
+  std::vector<double> elevation_;             // of the particles during the step (m)
+  std::vector<double> content_;               // water of each particle at its last booking (m2)
+  std::vector<double> defect_;                // water that the last booking left unexplained (m2)
   std::vector<double> change_, stress_change_;
   std::vector<double> inflow_, inflow_rate_;
   AirFlow air_flow_;

@@ -15,7 +15,7 @@ SolveReport PoreFlow::solve(double time_step, const Skeleton& skeleton, std::spa
   const std::size_t n = pressure_.size();
   const double flow_scale = time_step / water_.unit_weight();
   find_head(skeleton);
-  operator_.set_conductivity(conductivity_);
+  operator_.set_conductivity(conductivity_, pressure_head_);
   operator_.apply(head_, outflow_);
   response.diagonal(work_);
   for (std::size_t p = 0; p < n; ++p) {

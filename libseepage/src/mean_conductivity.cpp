@@ -1,0 +1,62 @@
+#include "slope/seepage/mean_conductivity.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace slope::seepage {
+
+namespace {
+
+constexpr double alike = 0.1;     // |d| below which Simpson's rule is as good
+constexpr double longest = 40.0;  // x beyond which nothing changes any more
+
+// ln((e^t - 1) / t)
+double log_phi(double t) {
+  if (std::abs(t) < 1.0e-3) return 0.5 * t + t * t / 24.0;
+  return t > 0.0 ? t + std::log(-std::expm1(-t) / t) : std::log(std::expm1(t) / t);
+}
+
+// Slope of log_phi.
+double log_phi_slope(double t) {
+  if (std::abs(t) < 1.0e-3) return 0.5 + t / 12.0;
+  return -1.0 / std::expm1(-t) - 1.0 / t;
+}
+
+// x, how much of it changes with d, and whether it is free of its bounds. Two soils may have d against psi: then 0.
+struct Length {
+  double x = 0.0, over_d = 0.0;
+};
+
+Length length_of(double d, double fall, double drop) {
+  if (d * fall <= 0.0) return {};
+  const double x = d / fall * drop;
+  return std::abs(x) < longest ? Length{x, drop / fall} : Length{std::copysign(longest, x), 0.0};
+}
+
+}  // namespace
+
+double mean_conductivity(const ConductivityAt& a, const ConductivityAt& b, double drop) {
+  const double sum = a.conductivity + b.conductivity;
+  if (std::abs(a.conductivity - b.conductivity) < 0.5 * alike * sum) {
+    return (sum + 4.0 * std::sqrt(a.conductivity * b.conductivity)) / 6.0;
+  }
+  const double d = std::log(a.conductivity / b.conductivity);
+  const double x = length_of(d, a.pressure_head - b.pressure_head, drop).x;
+  return b.conductivity * std::exp(log_phi(d + x) - log_phi(x));
+}
+
+double mean_conductivity_slope(const ConductivityAt& a, const ConductivityAt& b, double drop, double slope) {
+  const double sum = a.conductivity + b.conductivity;
+  if (std::abs(a.conductivity - b.conductivity) < 0.5 * alike * sum) {
+    return slope * (1.0 + 2.0 * std::sqrt(b.conductivity / a.conductivity)) / 6.0;
+  }
+  const double d = std::log(a.conductivity / b.conductivity);
+  const double fall = a.pressure_head - b.pressure_head;
+  const Length length = length_of(d, fall, drop);
+  const double both = log_phi_slope(d + length.x), rest = log_phi_slope(length.x);
+  const double over_d = both * (1.0 + length.over_d) - rest * length.over_d;
+  const double over_fall = length.over_d != 0.0 ? -(both - rest) * length.x / fall : 0.0;
+  return mean_conductivity(a, b, drop) * (over_d * slope / a.conductivity + over_fall);
+}
+
+}  // namespace slope::seepage
