@@ -424,7 +424,7 @@ class InterruptedRun : public SlopeSim, public testing::WithParamInterface<int> 
 
 TEST_P(InterruptedRun, EndsWithCode130AndLeavesReadableFiles) {
   const fs::path out = scratch_ / "run";
-  Program program({"run", box, "-o", out.string(), "--set", "stop.time=10 d", "--set", "clock.adaptive=false", "--set",
+  Program program({"run", box, "-o", out.string(), "--set", "stop.time=1 h", "--set", "clock.adaptive=false", "--set",
                    "output.history_interval=0.01 s"},
                   scratch_);
   ASSERT_TRUE(has_rows(program, out / "history.csv", 3));
