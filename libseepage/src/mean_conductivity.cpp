@@ -10,13 +10,12 @@ namespace {
 constexpr double alike = 0.1;     // |d| below which a short formula takes over, in full below half of it
 constexpr double longest = 40.0;  // x beyond which nothing changes any more
 
-// ln((e^t - 1) / t)
-double log_phi(double t) {
-  if (std::abs(t) < 1.0e-3) return 0.5 * t + t * t / 24.0;
-  return t > 0.0 ? t + std::log(-std::expm1(-t) / t) : std::log(std::expm1(t) / t);
+// (e^t - 1) / t
+double phi(double t) {
+  return std::abs(t) < 1.0e-3 ? 1.0 + t * (0.5 + t / 6.0) : std::expm1(t) / t;
 }
 
-// Slope of log_phi.
+// Slope of ln(phi).
 double log_phi_slope(double t) {
   if (std::abs(t) < 1.0e-3) return 0.5 + t / 12.0;
   return -1.0 / std::expm1(-t) - 1.0 / t;
@@ -46,7 +45,7 @@ double mean_of_alike(const ConductivityAt& a, const ConductivityAt& b, double dr
 double mean_of_unlike(const ConductivityAt& a, const ConductivityAt& b, double drop) {
   const double d = std::log(a.conductivity / b.conductivity);
   const double x = length_of(d, a.pressure_head - b.pressure_head, drop).x;
-  return b.conductivity * std::exp(log_phi(d + x) - log_phi(x));
+  return b.conductivity * phi(d + x) / phi(x);
 }
 
 }  // namespace
