@@ -21,7 +21,7 @@ double log_phi_slope(double t) {
   return -1.0 / std::expm1(-t) - 1.0 / t;
 }
 
-// x, how much of it changes with d, and whether it is free of its bounds. Two soils may have d against psi: then 0.
+// x, and how it changes with d. Two soils may have d against psi: then both are 0.
 struct Length {
   double x = 0.0, over_d = 0.0;
 };

@@ -67,17 +67,19 @@ class SlopeSim : public testing::Test {
 };
 
 TEST_F(SlopeSim, TellsOfSoilThatItsWeightCrushesBeforeTheStart) {
-  const Outcome outcome = call({"run", quick, "-o", "soft", "--set", "soils.silty_sand.youngs_modulus=1 kPa", "--set",
-                                "soils.silty_sand.strength={model: elastic}"});
+  const Outcome outcome =
+      call({"run", quick, "-o", (scratch_ / "soft").string(), "--set", "soils.silty_sand.youngs_modulus=1 kPa", "--set",
+            "soils.silty_sand.strength={model: elastic}"});
   EXPECT_EQ(outcome.exit_code, 3);
   EXPECT_NE(outcome.errors.find("before the start: soil particle"), std::string::npos) << outcome.errors;
   EXPECT_NE(outcome.errors.find("youngs_modulus"), std::string::npos);
 }
 
 TEST_F(SlopeSim, SaysSoIfTheSlopeDoesNotStandBeforeTheStart) {
-  EXPECT_EQ(call({"run", quick, "-o", "stands", "--set", "stop.time=0.01 s"}).errors.find("no balance"),
-            std::string::npos);
-  const Outcome weak = call({"run", quick, "-o", "weak", "--set", "stop.time=0.01 s", "--set",
+  EXPECT_EQ(
+      call({"run", quick, "-o", (scratch_ / "stands").string(), "--set", "stop.time=0.01 s"}).errors.find("no balance"),
+      std::string::npos);
+  const Outcome weak = call({"run", quick, "-o", (scratch_ / "weak").string(), "--set", "stop.time=0.01 s", "--set",
                              "initial.water={type: uniform, pressure: 0 kPa}", "--set",
                              "soils.silty_sand.strength.friction_angle=12 deg"});
   EXPECT_NE(weak.errors.find("no balance was found before the start"), std::string::npos) << weak.errors;
