@@ -245,10 +245,9 @@ Format<Clock> clock_format() {
   return Record<Clock>()
       .optional("adaptive", &Clock::adaptive, flag(),
                 "true: faster than real time while the soil is quiet; false: real time")
-      .optional("inertia_limit", &Clock::inertia_limit, quantity(Dimension::number, above(0.0)),
-                "largest inertial stress, and pressure change per control block, over the overburden")
-      .optional("change_fraction", &Clock::change_fraction, quantity(Dimension::number, above(0.0)),
-                "largest clock factor times first period over the time since the boundary conditions changed")
+      .optional("unbalanced_limit", &Clock::unbalanced_limit, quantity(Dimension::number, above(0.0)),
+                "unbalanced forces over the weight above which the clock slows down, because the soil does not follow "
+                "the water")
       .optional("maximum_factor", &Clock::maximum_factor, quantity(Dimension::number, at_least(1.0)),
                 "largest clock factor")
       .format();

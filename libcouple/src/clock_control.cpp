@@ -8,10 +8,12 @@ namespace slope::couple {
 namespace {
 
 // In the soil's own time; T is the first period of the layer.
-constexpr double block_share = 0.05;   // T between two judgements of the factor
-constexpr double growth_time = 3.0;    // T in which the factor grows by e at most: a slide needs time to follow
-constexpr double shrinkage = 0.8;      // of the factor after a lively block
-constexpr double calm_pressure = 1.3;  // change in a block, over the inertia limit, below which the factor grows
+constexpr double block_share = 0.05;     // T between two judgements of the factor
+constexpr double growth_time = 3.0;      // T in which the factor grows by e at most: a slide needs time to follow
+constexpr double shrinkage = 0.8;        // of the factor after a lively block
+constexpr double lively = 1.5;           // times what lets the factor grow, from which on it falls
+constexpr double calm_pressure = 0.005;  // change of a pressure in a block, over the overburden, that lets it grow
+constexpr double settling_time = 2.0;    // T that the soil gets to settle after a change of the boundary conditions
 
 }  // namespace
 
@@ -25,10 +27,9 @@ ClockControl::Pace ClockControl::pace(double time, double next, double time_step
     for (const double change : change_times_) {
       if (change <= time) since = time - change;
     }
-    const double settled = limits_.change_fraction * since / scale_.period();
-    const double calm = calm_pressure * limits_.inertia_limit * scale_.overburden;
-    const double block = block_share * scale_.period();
-    const double steady = prescribed_rate > 0.0 ? calm / (prescribed_rate * block) : never;
+    const double settled = since / (settling_time * scale_.period());
+    const double calm = calm_pressure * scale_.overburden / (block_share * scale_.period());  // Pa/s of the soil's time
+    const double steady = prescribed_rate > 0.0 ? calm / prescribed_rate : never;
     factor = std::min(factor, std::max(1.0, std::min(settled, steady)));
   }
   const double steps = std::ceil((next - time) / (factor * time_step) * (1.0 - 1.0e-12));
@@ -46,37 +47,35 @@ double ClockControl::next_change(double time) const {
   return next == change_times_.end() ? never : *next;
 }
 
-void ClockControl::observe(double time_step, std::span<const double> ux, std::span<const double> uy,
-                           std::span<const double> pressure) {
+void ClockControl::begin_block(std::span<const double> pressure) {
+  pressure_.assign(pressure.begin(), pressure.end());
+  block_time_ = block_unbalanced_ = 0.0;
+}
+
+void ClockControl::observe(double time_step, double unbalanced_ratio, std::span<const double> pressure) {
   if (!limits_.adaptive) return;
-  const auto begin_block = [&] {
-    ux_.assign(ux.begin(), ux.end());
-    uy_.assign(uy.begin(), uy.end());
-    pressure_.assign(pressure.begin(), pressure.end());
-    block_time_ = 0.0;
-  };
-  if (ux_.empty()) {
-    begin_block();
+  if (pressure_.empty()) {
+    begin_block(pressure);
     return;
   }
   block_time_ += time_step;
+  block_unbalanced_ += unbalanced_ratio * time_step;
   if (block_time_ < block_share * scale_.period()) return;
-  double farthest = 0.0, pressure_change = 0.0;
-  for (std::size_t p = 0; p < ux.size(); ++p) {
-    const double dx = ux[p] - ux_[p], dy = uy[p] - uy_[p];
-    farthest = std::max(farthest, dx * dx + dy * dy);
+  double pressure_change = 0.0;
+  for (std::size_t p = 0; p < pressure.size(); ++p) {
     pressure_change = std::max(pressure_change, std::abs(pressure[p] - pressure_[p]));
   }
-  // the stress rho c v that a velocity brings into play, over the overburden rho g H
-  const double inertia = scale_.wave_speed * std::sqrt(farthest) / block_time_ / (scale_.gravity * scale_.height);
-  const double pressure_ratio = pressure_change / scale_.overburden;
-  if (inertia > limits_.inertia_limit || pressure_ratio > 2.0 * limits_.inertia_limit) {
+  const double unbalanced = block_unbalanced_ / block_time_;
+  if (last_factor_ > 1.0) largest_unbalanced_ratio_ = std::max(largest_unbalanced_ratio_, unbalanced);
+  const double liveliness =
+      std::max(unbalanced / limits_.unbalanced_limit, pressure_change / (calm_pressure * scale_.overburden));
+  if (liveliness > lively) {
     factor_ *= shrinkage;
-  } else if (inertia < 0.65 * limits_.inertia_limit && pressure_ratio < calm_pressure * limits_.inertia_limit) {
+  } else if (liveliness < 1.0) {
     factor_ *= std::exp(block_time_ / (growth_time * scale_.period()));
   }
   factor_ = std::clamp(factor_, 1.0, limits_.maximum_factor);
-  begin_block();
+  begin_block(pressure);
 }
 
 }  // namespace slope::couple

@@ -18,8 +18,8 @@ struct SlopeScale {
 };
 
 /// Chooses the clock factor Theta: how much faster than the soil's own time the water's time runs. Theta is the same as
-/// scaling the soil's mass by Theta^2 in physical time; it grows while inertia does not matter and falls to one, real
-/// time, when it does.
+/// scaling the soil's mass by Theta^2 in physical time. Water that runs ahead of the soil leaves forces out of balance:
+/// the factor grows while these are small against the weight, and falls to one, real time, when they are not.
 class ClockControl {
  public:
   ClockControl(const Clock& limits, const SlopeScale& scale, std::vector<double> change_times);
@@ -40,19 +40,26 @@ class ClockControl {
   /// which that is as calm as a pressure change may be that lets the factor grow.
   Pace pace(double time, double next, double time_step, double prescribed_rate = 0.0);
   /// Takes note of a step done; twenty times in the first period the factor is judged anew.
-  void observe(double time_step, std::span<const double> ux, std::span<const double> uy,
-               std::span<const double> pressure);
+  /// @param unbalanced_ratio  unbalanced forces over the weight (-) in the step
+  /// @param pressure  pore pressure of the particles after it (Pa)
+  void observe(double time_step, double unbalanced_ratio, std::span<const double> pressure);
+  /// The largest unbalanced ratio that a judgement found while the water ran ahead of the soil (-).
+  [[nodiscard]] double largest_unbalanced_ratio() const { return largest_unbalanced_ratio_; }
   /// The time of the next change of the boundary conditions after `time` (s).
   [[nodiscard]] double next_change(double time) const;
 
  private:
+  void begin_block(std::span<const double> pressure);
+
   Clock limits_;
   SlopeScale scale_;
   std::vector<double> change_times_;
   double factor_ = 1.0;
   double last_factor_ = 1.0;  // of the latest step, before it was fitted to what is due
   double block_time_ = 0.0;
-  std::vector<double> ux_, uy_, pressure_;  // at the start of the block
+  double block_unbalanced_ = 0.0;  // unbalanced ratio times time (s)
+  std::vector<double> pressure_;   // at the start of the block
+  double largest_unbalanced_ratio_ = 0.0;
 };
 
 }  // namespace slope::couple

@@ -171,8 +171,8 @@ seepage::SolveReport Simulation::State::step_mixture(double next) {
       std::visit([&](auto& s) { return s.step(mixture, actions, pace.time_step, pace.factor); }, scheme);
   time = after;
   latest_step = water_step;
-  const solid::Particles& soil = mixture.soil.particles();
-  clock.observe(pace.time_step, soil.ux, soil.uy, mixture.water.pressure());
+  const solid::Balance& balance = mixture.soil.balance();
+  clock.observe(pace.time_step, balance.unbalanced_force / balance.weight, mixture.water.pressure());
   return report;
 }
 
@@ -442,6 +442,7 @@ Summary Simulation::summary() const {
   summary.mean_pressure_iterations =
       s.steps == 0 ? 0.0 : static_cast<double>(s.pressure_iterations) / static_cast<double>(s.steps);
   summary.water = s.water_budget();
+  summary.largest_unbalanced_ratio = s.clock.largest_unbalanced_ratio();
   return summary;
 }
 

@@ -152,7 +152,7 @@ std::string full_case() {
       "seismic: {horizontal_coefficient: 0.1, vertical_coefficient: -5 %, start: 2 s, ramp: 3 s}\n"
       "numerics: {shape_function: linear, flip_fraction: 95 %, courant_number: 0.3, pressure_tolerance: 0.1, "
       "smoothing_length: 1.3}\n"
-      "clock: {adaptive: false, inertia_limit: 0.1, change_fraction: 0.2, maximum_factor: 10}\n"
+      "clock: {adaptive: false, unbalanced_limit: 0.1, maximum_factor: 10}\n"
       "figures: {profile_times: [2 s], contour_times: [1 s, 40 min]}\n";
   return content;
 }
@@ -222,8 +222,7 @@ TEST(CaseValues, EveryKeyReachesTheCase) {
   EXPECT_EQ(input.numerics.pressure_tolerance, 0.1);
   EXPECT_EQ(input.numerics.smoothing_length, 1.3);
   EXPECT_FALSE(input.clock.adaptive);
-  EXPECT_EQ(input.clock.inertia_limit, 0.1);
-  EXPECT_EQ(input.clock.change_fraction, 0.2);
+  EXPECT_EQ(input.clock.unbalanced_limit, 0.1);
   EXPECT_EQ(input.clock.maximum_factor, 10.0);
   EXPECT_EQ(input.onset_displacement, 0.02);
   EXPECT_EQ(input.failure_zone_strain, 0.02);

@@ -25,37 +25,74 @@ TEST(ClockControl, KeepsRealTimeWhateverIsDue) {
   }
 }
 
+// Steps from a time to another; the soil leaves `unbalanced` of its weight out of balance at a clock factor.
+template <class Unbalanced>
+ClockControl::Pace run(ClockControl& clock, double time, double end, const Unbalanced& unbalanced) {
+  const std::vector<double> still(3, 0.0);
+  ClockControl::Pace pace;
+  for (; time < end * (1.0 - 1e-9); time += pace.factor * pace.time_step) {
+    pace = clock.pace(time, end, 0.003);
+    clock.observe(pace.time_step, unbalanced(pace.factor), still);
+  }
+  return pace;
+}
+
+double nothing(double /*factor*/) {
+  return 0.0;
+}
+
 TEST(ClockControl, RunsFasterInTheCalmAndFallsBackAfterAChange) {
   ClockControl clock(Clock{}, scale, {0.0, 100.0});
-  const std::vector<double> still(3, 0.0);
-  double time = 0.0;
-  const auto run_to = [&](double end) {
-    ClockControl::Pace pace;
-    while (time < end - 1e-9) {
-      pace = clock.pace(time, end, 0.003);
-      clock.observe(pace.time_step, still, still, still);
-      time += pace.factor * pace.time_step;
-    }
-    return pace;
-  };
-  EXPECT_GT(run_to(100.0).factor, 10.0);
+  EXPECT_GT(run(clock, 0.0, 100.0, nothing).factor, 10.0);
   const auto after = clock.pace(100.0, 200.0, 0.003);
   EXPECT_NEAR(after.factor, 1.0, 0.01);
   EXPECT_LT(after.velocity_scale, 0.1) << "the soil's velocities fall with the factor";
 }
 
+TEST(ClockControl, HasNoCeilingOfItsOwn) {
+  ClockControl clock(Clock{}, scale, {0.0});
+  EXPECT_GT(run(clock, 0.0, 1.0e7, nothing).factor, 1.0e5);
+}
+
+// Inertia over the weight is Theta^2 times an acceleration over g: the factor finds the Theta at which it is the limit.
+TEST(ClockControl, KeepsUnbalancedForcesNearTheirLimit) {
+  for (const double limit : {1.0e-5, 1.0e-4, 1.0e-3}) {
+    Clock limits;
+    limits.unbalanced_limit = limit;
+    ClockControl clock(limits, scale, {0.0});
+    const double acceleration = 1.0e-10;  // over g, in physical time
+    const auto pace = run(clock, 0.0, 1.0e6, [&](double factor) { return factor * factor * acceleration; });
+    const double unbalanced = pace.factor * pace.factor * acceleration;
+    EXPECT_GT(unbalanced, 0.5 * limit);
+    EXPECT_LT(unbalanced, 1.6 * limit);
+    EXPECT_LT(clock.largest_unbalanced_ratio(), 1.7 * limit);
+  }
+}
+
+TEST(ClockControl, FallsToRealTimeWhenTheSoilLetsGo) {
+  ClockControl clock(Clock{}, scale, {0.0});
+  run(clock, 0.0, 1000.0, nothing);
+  EXPECT_EQ(clock.largest_unbalanced_ratio(), 0.0);
+  const auto falls = [](double) { return 0.1; };
+  EXPECT_EQ(run(clock, 1000.0, 3000.0, falls).factor, 1.0);
+  EXPECT_NEAR(clock.largest_unbalanced_ratio(), 0.1, 1e-12);
+}
+
+TEST(ClockControl, DoesNotBlameTheClockForWhatRealTimeDoes) {
+  Clock limits;
+  limits.adaptive = false;
+  ClockControl clock(limits, scale, {0.0});
+  run(clock, 0.0, 1.0, [](double) { return 0.1; });
+  EXPECT_EQ(clock.largest_unbalanced_ratio(), 0.0);
+}
+
 TEST(ClockControl, IsAsSlowAsAPrescribedPressureIsFast) {
   ClockControl clock(Clock{}, scale, {0.0});
-  const std::vector<double> still(3, 0.0);
-  double time = 0.0;
-  for (ClockControl::Pace pace; time < 1000.0; time += pace.factor * pace.time_step) {
-    pace = clock.pace(time, 1000.0, 0.003);
-    clock.observe(pace.time_step, still, still, still);
-  }
-  const double calm = 1.3 * 0.004 * scale.overburden / (0.05 * scale.period());  // Pa per second of the soil
-  EXPECT_GT(clock.pace(time, 1e6, 0.003, calm / 1e4).factor, 100.0) << "a slow one does not matter";
-  EXPECT_NEAR(clock.pace(time, 1e6, 0.003, calm / 10.0).factor, 10.0, 0.01);
-  EXPECT_NEAR(clock.pace(time, 1e6, 0.003, 10.0 * calm).factor, 1.0, 0.01);
+  run(clock, 0.0, 1000.0, nothing);
+  const double calm = 0.005 * scale.overburden / (0.05 * scale.period());  // Pa per second of the soil
+  EXPECT_GT(clock.pace(1000.0, 1e6, 0.003, calm / 1e4).factor, 100.0) << "a slow one does not matter";
+  EXPECT_NEAR(clock.pace(1000.0, 1e6, 0.003, calm / 10.0).factor, 10.0, 0.01);
+  EXPECT_NEAR(clock.pace(1000.0, 1e6, 0.003, 10.0 * calm).factor, 1.0, 0.01);
 }
 
 }  // namespace

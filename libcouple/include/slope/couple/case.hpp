@@ -182,12 +182,10 @@ struct Numerics {
 
 /// How much faster than the solid's own clock physical time may run.
 struct Clock {
-  bool adaptive = true;            ///< false: real time throughout
-  double inertia_limit = 0.004;    ///< largest inertial stress rho c v over overburden, and pressure change per control
-                                   ///< block over overburden (-), > 0
-  double change_fraction = 0.5;    ///< largest clock factor x first period over the time since the boundary conditions
-                                   ///< changed (-), > 0
-  double maximum_factor = 1000.0;  ///< (-), >= 1
+  bool adaptive = true;              ///< false: real time throughout
+  double unbalanced_limit = 1.0e-4;  ///< unbalanced forces over the weight (-), > 0, above which the clock slows down:
+                                     ///< below it the factor grows, above 1.5 times it the factor falls
+  double maximum_factor = 1.0e9;     ///< largest factor (-), >= 1
 };
 
 /// When the run ends; the first that is met.

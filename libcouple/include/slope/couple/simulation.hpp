@@ -108,6 +108,7 @@ struct Summary {
   double pressure_checkerboard = 0.0;     ///< largest over the run, of the measure defined in README (-)
   double initial_head_flux = 0.0;         ///< largest Darcy flux of the head operator before the rain, over k (-)
   double initial_unbalanced_ratio = 0.0;  ///< unbalanced over gravity forces left by the initial state (-)
+  double largest_unbalanced_ratio = 0.0;  ///< unbalanced forces over the weight while the water's time ran ahead (-)
   std::size_t particles = 0;
   std::size_t steps = 0;
   double mean_pressure_iterations = 0.0;
