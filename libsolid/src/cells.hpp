@@ -4,17 +4,23 @@
 
 namespace slope::solid {
 
-// Calls visit(c) for each cell that holds particles, such that cells that share nodes are never visited by two threads
-// at once, and in an order that does not depend on their number: bands of three rows of cells, the even ones first.
+// Calls visit(k) for each entry of bands of rows, the even bands first, such that two threads are never in bands that
+// touch, and in an order that does not depend on their number. `bands` has the first entry of each, and the end.
 template <class Visit>
-void MaterialPointMethod::for_each_cell(const Visit& visit) const {
-  const std::size_t bands = bands_.size() - 1;
+void MaterialPointMethod::for_each_in_bands(const std::vector<std::size_t>& bands, const Visit& visit) const {
+  const std::size_t count = bands.size() - 1;
   for (std::size_t parity = 0; parity < 2; ++parity) {
 #pragma omp parallel for schedule(dynamic) num_threads(settings_.threads) if (settings_.threads > 1)
-    for (std::size_t band = parity; band < bands; band += 2) {
-      for (std::size_t c = bands_[band]; c < bands_[band + 1]; ++c) visit(c);
+    for (std::size_t band = parity; band < count; band += 2) {
+      for (std::size_t k = bands[band]; k < bands[band + 1]; ++k) visit(k);
     }
   }
+}
+
+// Calls visit(c) for each cell that holds particles; cells that share nodes are never visited by two threads at once.
+template <class Visit>
+void MaterialPointMethod::for_each_cell(const Visit& visit) const {
+  for_each_in_bands(bands_, visit);
 }
 
 }  // namespace slope::solid

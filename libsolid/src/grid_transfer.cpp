@@ -36,7 +36,11 @@ void MaterialPointMethod::find_weights() {
       w.gx[a] = x.gradient[a];
       w.gy[a] = y.gradient[a];
     }
-    grid_cell_of_[p] = std::size_t(py) * std::size_t(grid_.columns) + std::size_t(px);
+    const int column = static_cast<int>(px), row = static_cast<int>(py);
+    const double right = px - column, up = py - row;
+    hat_weights_[p] = {grid_.node(column, row),
+                       {(1.0 - right) * (1.0 - up), right * (1.0 - up), (1.0 - right) * up, right * up}};
+    grid_cell_of_[p] = std::size_t(row) * std::size_t(grid_.columns) + std::size_t(column);
   }
   if (outside == n) return;
   const double x = particles_.x[outside] - grid_.lower[0];
@@ -136,11 +140,11 @@ void MaterialPointMethod::sort_into_cells() {
     if (count == 0) continue;
     const int column = static_cast<int>(cell % columns);
     const int row = static_cast<int>(cell / columns);
-    cells_.push_back({cell, grid_.node(column - 1, row - 1), first, 0.0});
+    cells_.push_back({grid_.node(column, row), first});
     first += count;
   }
   bands_.push_back(cells_.size());
-  cells_.push_back({grid_.cell_count(), 0, first, 0.0});
+  cells_.push_back({0, first});
   for (std::size_t p = 0; p < grid_cell_of_.size(); ++p) cell_particles_[cell_start_[grid_cell_of_[p]]++] = p;
 }
 

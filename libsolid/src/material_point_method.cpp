@@ -65,12 +65,14 @@ MaterialPointMethod::MaterialPointMethod(const Grid& grid, std::vector<Soil> soi
   find_wall_nodes();
   weights_.resize(n);
   grid_cell_of_.resize(n);
-  cell_of_.resize(n);
+  hat_weights_.resize(n);
   cell_particles_.resize(n);
   velocity_gradient_.resize(n);
   mass_.resize(n);
   cell_start_.resize(grid_.cell_count() + 1);
   node_.resize(grid_.node_count());
+  hat_at_.resize(grid_.node_count());
+  hat_value_.resize(grid_.node_count());
   for (auto* field : {&old_velocity_, &velocity_, &response_, &pressure_force_}) {
     field->assign(grid_.node_count(), Eigen::Array2d::Zero());
   }
@@ -103,7 +105,7 @@ void MaterialPointMethod::predict(double dt, const PoreState& pore, std::span<co
     find_weights<Linear>();
   }
   sort_into_cells();
-  sum_cell_gradients();
+  find_hats();
   const PoreState inside = less_outside(pore, surface);
   scatter(inside, surface, {body_acceleration[0], body_acceleration[1] - settings_.gravity});
   add_tractions(tractions);

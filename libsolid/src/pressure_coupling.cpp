@@ -1,5 +1,6 @@
-// The pore pressure's force on the grid and the grid's volume change, both through cell averages and with the same
-// coefficients: B_c = sum over the particles of cell c of V_p G_ip, wall conditions folded in.
+// The projection of pressure and volume change on the hat functions of the grid's nodes, and the pore pressure's force
+// and the grid's volume change through it: both with the same coefficients, per node n of the hats
+// B_n = sum over the particles of V_p N_n(x_p) G_ip, wall conditions folded in, over M_n = sum of V_p N_n(x_p).
 
 #include <algorithm>
 
@@ -9,107 +10,160 @@ namespace slope::solid {
 
 namespace {
 
-// The components of four nodes in a row as one array, which the processor can treat at once.
-using FourNodes = Eigen::Array<double, 8, 1>;
-auto four_nodes(Eigen::Array2d* first) {
-  return Eigen::Map<FourNodes>(first->data());
+// The components of five nodes in a row as one array, which the processor can treat at once.
+using FiveNodes = Eigen::Array<double, 10, 1>;
+auto five_nodes(Eigen::Array2d* first) {
+  return Eigen::Map<FiveNodes>(first->data());
 }
-auto four_nodes(const Eigen::Array2d* first) {
-  return Eigen::Map<const FourNodes>(first->data());
+auto five_nodes(const Eigen::Array2d* first) {
+  return Eigen::Map<const FiveNodes>(first->data());
 }
 
 }  // namespace
 
-void MaterialPointMethod::sum_cell_gradients() {
+// The hats that reach a particle, in grid order, and their gradients B_n / M_n.
+void MaterialPointMethod::find_hats() {
+  constexpr std::size_t none = ~std::size_t{0};
+  constexpr int rows_per_band = 4;  // a hat's gradient reaches two rows of nodes to either side
   const std::size_t columns = std::size_t(grid_.node_columns());
-  const std::size_t count = cells_.size() - 1;
-  cell_gradient_.resize(count);
-  cell_value_.resize(count);
-#pragma omp parallel for schedule(static) num_threads(settings_.threads) if (settings_.threads > 1)
-  for (std::size_t c = 0; c < count; ++c) {
-    CellGradient gradient;
-    gradient.fill(Eigen::Array2d::Zero());
-    double volume = 0.0;
+  std::fill(hat_at_.begin(), hat_at_.end(), none);
+  for (std::size_t c = 0; c + 1 < cells_.size(); ++c) {
+    const std::size_t corner = cells_[c].corner;
+    for (const std::size_t n : {corner, corner + 1, corner + columns, corner + columns + 1}) hat_at_[n] = 0;
+  }
+  hat_bands_.clear();
+  std::size_t count = 0;
+  for (int j = 0; j <= grid_.rows; ++j) {
+    if (j % rows_per_band == 0) hat_bands_.push_back(count);
+    for (int i = 0; i <= grid_.columns; ++i) {
+      const std::size_t n = grid_.node(i, j);
+      if (hat_at_[n] == none) continue;
+      if (count == hats_.size()) hats_.emplace_back();
+      Hat& hat = hats_[count];
+      hat.column = i;
+      hat.row = j;
+      hat.node = n;
+      hat.first = grid_.node(i - 2, j - 2);
+      hat.volume = 0.0;
+      hat.gradient.fill(Eigen::Array2d::Zero());
+      hat_at_[n] = count++;
+    }
+  }
+  hats_.resize(count);
+  hat_bands_.push_back(count);
+
+  for_each_cell([&](std::size_t c) {
+    const std::size_t corner = cells_[c].corner;
     for (std::size_t s = cells_[c].particle; s < cells_[c + 1].particle; ++s) {
       const std::size_t p = cell_particles_[s];
-      cell_of_[p] = c;
       const ParticleWeights& w = weights_[p];
-      const double v = particles_.volume[p];
-      volume += v;
-      // where the particle's 3 x 3 nodes lie among the cell's 4 x 4
-      const std::size_t offset = w.node - cells_[c].node;
-      Eigen::Array2d* row = gradient.data() + (offset < columns ? offset : offset - columns + 4);
-      for (std::size_t b = 0; b < 3; ++b, row += 4) {
-        const double n = v * w.ny[b], g = v * w.gy[b];
-        for (std::size_t a = 0; a < 3; ++a) row[a] += Eigen::Array2d(w.gx[a] * n, w.nx[a] * g);
+      // where the particle's 3 x 3 nodes lie among the 5 x 5 of the hat at the cell's lower left corner
+      const std::size_t offset = w.node - (corner - columns - 1);
+      const std::size_t first = 6 + (offset < columns ? offset : offset - columns + 5);
+      const Eigen::Array2d x[3] = {{w.gx[0], w.nx[0]}, {w.gx[1], w.nx[1]}, {w.gx[2], w.nx[2]}};
+      for (std::size_t k = 0; k < 4; ++k) {
+        const std::size_t right = k % 2, up = k / 2;
+        Hat& hat = hats_[hat_at_[corner + right + up * columns]];
+        const double v = particles_.volume[p] * hat_weights_[p].value[k];
+        hat.volume += v;
+        Eigen::Array2d* row = hat.gradient.data() + (first - right - 5 * up);
+        for (std::size_t b = 0; b < 3; ++b, row += 5) {
+          const Eigen::Array2d y(v * w.ny[b], v * w.gy[b]);
+          for (std::size_t a = 0; a < 3; ++a) row[a] += x[a] * y;
+        }
       }
     }
-    fold_walls(cells_[c].index, gradient);
-    cell_gradient_[c] = gradient;
-    cells_[c].volume = volume;
+  });
+#pragma omp parallel for schedule(static) num_threads(settings_.threads) if (settings_.threads > 1)
+  for (std::size_t k = 0; k < hats_.size(); ++k) {
+    Hat& hat = hats_[k];
+    fold_walls(hat);
+    const double share = hat.volume > 0.0 ? 1.0 / hat.volume : 0.0;
+    for (Eigen::Array2d& node : hat.gradient) node *= share;
   }
 }
 
-// D^T V Pi q: the force on the nodes of the cell averages Pi q of a pressure, volume-weighted over their particles.
+// D^T V Pi q: the force on the nodes of the projection Pi q of a pressure.
 void MaterialPointMethod::find_pressure_force(std::span<const double> q) const {
   const std::size_t columns = std::size_t(grid_.node_columns());
-  std::fill(pressure_force_.begin(), pressure_force_.end(), Eigen::Array2d::Zero());
+  std::fill(hat_value_.begin(), hat_value_.end(), 0.0);
   for_each_cell([&](std::size_t c) {
-    double sum = 0.0;
+    double* lower = hat_value_.data() + cells_[c].corner;
+    double* upper = lower + columns;
     for (std::size_t s = cells_[c].particle; s < cells_[c + 1].particle; ++s) {
-      sum += particles_.volume[cell_particles_[s]] * q[cell_particles_[s]];
+      const std::size_t p = cell_particles_[s];
+      const std::array<double, 4>& n = hat_weights_[p].value;
+      const double vq = particles_.volume[p] * q[p];
+      lower[0] += n[0] * vq;
+      lower[1] += n[1] * vq;
+      upper[0] += n[2] * vq;
+      upper[1] += n[3] * vq;
     }
-    const double average = sum / cells_[c].volume;
-    const Eigen::Array2d* gradient = cell_gradient_[c].data();
-    Eigen::Array2d* force = pressure_force_.data() + cells_[c].node;
-    for (std::size_t b = 0; b < 4; ++b, force += columns, gradient += 4) {
-      four_nodes(force) += average * four_nodes(gradient);
+  });
+  std::fill(pressure_force_.begin(), pressure_force_.end(), Eigen::Array2d::Zero());
+  for_each_in_bands(hat_bands_, [&](std::size_t k) {
+    const Hat& hat = hats_[k];
+    const double value = hat_value_[hat.node];
+    const Eigen::Array2d* gradient = hat.gradient.data();
+    Eigen::Array2d* force = pressure_force_.data() + hat.first;
+    for (std::size_t b = 0; b < 5; ++b, force += columns, gradient += 5) {
+      five_nodes(force) += value * five_nodes(gradient);
     }
   });
 }
 
-// cell_value_ = (1 / V_c) B_c . v, the divergence of a grid velocity averaged over each cell.
-void MaterialPointMethod::find_cell_divergence(const std::vector<Eigen::Array2d>& velocity) const {
+// hat_value_ = (1 / M_n) B_n . v, the divergence of a grid velocity averaged over each hat.
+void MaterialPointMethod::find_hat_divergence(const std::vector<Eigen::Array2d>& velocity) const {
   const std::size_t columns = std::size_t(grid_.node_columns());
 #pragma omp parallel for schedule(static) num_threads(settings_.threads) if (settings_.threads > 1)
-  for (std::size_t c = 0; c < cell_gradient_.size(); ++c) {
-    const Eigen::Array2d* gradient = cell_gradient_[c].data();
-    const Eigen::Array2d* v = velocity.data() + cells_[c].node;
-    FourNodes sum = FourNodes::Zero();
-    for (std::size_t b = 0; b < 4; ++b, v += columns, gradient += 4) sum += four_nodes(v) * four_nodes(gradient);
-    cell_value_[c] = sum.sum() / cells_[c].volume;
+  for (std::size_t k = 0; k < hats_.size(); ++k) {
+    const Hat& hat = hats_[k];
+    const Eigen::Array2d* gradient = hat.gradient.data();
+    const Eigen::Array2d* v = velocity.data() + hat.first;
+    FiveNodes sum = FiveNodes::Zero();
+    for (std::size_t b = 0; b < 5; ++b, v += columns, gradient += 5) sum += five_nodes(v) * five_nodes(gradient);
+    hat_value_[hat.node] = sum.sum();
   }
 }
 
+// What the values at the nodes of the hats are at a particle.
+double MaterialPointMethod::from_hats(std::size_t p) const {
+  const HatWeights& w = hat_weights_[p];
+  const double* lower = hat_value_.data() + w.corner;
+  const double* upper = lower + grid_.node_columns();
+  return w.value[0] * lower[0] + w.value[1] * lower[1] + w.value[2] * upper[0] + w.value[3] * upper[1];
+}
+
 void MaterialPointMethod::volumetric_strain(double dt, std::span<double> strain) const {
-  find_cell_divergence(velocity_);
-  for (std::size_t p = 0; p < strain.size(); ++p) strain[p] = dt * cell_value_[cell_of_[p]];
+  find_hat_divergence(velocity_);
+  for (std::size_t p = 0; p < strain.size(); ++p) strain[p] = dt * from_hats(p);
 }
 
 void MaterialPointMethod::volume_response(double dt, std::span<const double> q, std::span<double> volume_change) const {
   find_pressure_force(q);
   for (std::size_t i = 0; i < pressure_force_.size(); ++i) pressure_force_[i] *= response_[i];
-  find_cell_divergence(pressure_force_);
+  find_hat_divergence(pressure_force_);
   const double scale = dt * dt;
 #pragma omp parallel for schedule(static) num_threads(settings_.threads) if (settings_.threads > 1)
   for (std::size_t p = 0; p < volume_change.size(); ++p) {
-    volume_change[p] = scale * particles_.volume[p] * cell_value_[cell_of_[p]];
+    volume_change[p] = scale * particles_.volume[p] * from_hats(p);
   }
 }
 
+// By convexity the mean over the four hats of a particle of what each alone would answer is no less than the diagonal.
 void MaterialPointMethod::volume_response_diagonal(double dt, std::span<double> diagonal) const {
   const std::size_t columns = std::size_t(grid_.node_columns());
-  for (std::size_t c = 0; c < cell_gradient_.size(); ++c) {
-    const Eigen::Array2d* gradient = cell_gradient_[c].data();
-    const Eigen::Array2d* response = response_.data() + cells_[c].node;
-    FourNodes sum = FourNodes::Zero();
-    for (std::size_t b = 0; b < 4; ++b, response += columns, gradient += 4) {
-      sum += four_nodes(gradient).square() * four_nodes(response);
+  for (const Hat& hat : hats_) {
+    const Eigen::Array2d* gradient = hat.gradient.data();
+    const Eigen::Array2d* response = response_.data() + hat.first;
+    FiveNodes sum = FiveNodes::Zero();
+    for (std::size_t b = 0; b < 5; ++b, response += columns, gradient += 5) {
+      sum += five_nodes(gradient).square() * five_nodes(response);
     }
-    cell_value_[c] = dt * dt * sum.sum() / (cells_[c].volume * cells_[c].volume);
+    hat_value_[hat.node] = dt * dt * sum.sum();
   }
   for (std::size_t p = 0; p < diagonal.size(); ++p) {
-    diagonal[p] = particles_.volume[p] * particles_.volume[p] * cell_value_[cell_of_[p]];
+    diagonal[p] = particles_.volume[p] * particles_.volume[p] * from_hats(p);
   }
 }
 

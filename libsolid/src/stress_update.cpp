@@ -34,7 +34,7 @@ MaterialPointMethod::Material::Material(const Soil& soil, double cell_size)
       strength(make_strength_law(soil.strength, cell_size)) {}
 
 void MaterialPointMethod::update_stress(double dt, std::span<const double> suction, const StepMode& mode) {
-  find_cell_divergence(velocity_);
+  if (settings_.averages_pressure) find_hat_divergence(velocity_);
 #pragma omp parallel for schedule(static) num_threads(settings_.threads) if (settings_.threads > 1)
   for (std::size_t p = 0; p < particles_.size(); ++p) {
     const Material& material = materials_[particles_.soil[p]];
@@ -48,17 +48,21 @@ void MaterialPointMethod::update_stress(double dt, std::span<const double> sucti
       particles_.eyy[p] += dyy;
       particles_.exy[p] += dxy;
     }
+    const double strain = settings_.averages_pressure ? dt * from_hats(p) : dxx + dyy;
     if (mode.moves) {
-      const double strain = settings_.averages_pressure ? dt * cell_value_[cell_of_[p]] : dxx + dyy;
       particles_.volume[p] *= 1.0 + strain;
       particles_.porosity[p] = 1.0 - (1.0 - particles_.porosity[p]) / (1.0 + strain);
     }
+    // the volumetric strain that the stress sees is the projected one, the shear strain is the particle's own
+    const double half_excess = 0.5 * (strain - dxx - dyy);
+    const double stretch_x = 2.0 * material.shear * (dxx + half_excess);
+    const double stretch_y = 2.0 * material.shear * (dyy + half_excess);
     // Jaumann rate
     const double sxx = particles_.sxx[p], syy = particles_.syy[p], sxy = particles_.sxy[p];
-    const double volumetric = material.lame * (dxx + dyy);
-    SymmetricTensor stress{sxx + 2.0 * spin * sxy + volumetric + 2.0 * material.shear * dxx,
-                           syy - 2.0 * spin * sxy + volumetric + 2.0 * material.shear * dyy,
-                           particles_.szz[p] + volumetric, sxy + spin * (syy - sxx) + 2.0 * material.shear * dxy};
+    const double volumetric = material.lame * strain;
+    SymmetricTensor stress{sxx + 2.0 * spin * sxy + volumetric + stretch_x,
+                           syy - 2.0 * spin * sxy + volumetric + stretch_y, particles_.szz[p] + volumetric,
+                           sxy + spin * (syy - sxx) + 2.0 * material.shear * dxy};
     if (mode.yields) {
       const SymmetricTensor trial = stress;
       const Yielding yielding{suction.empty() ? 0.0 : suction[p], particles_.plastic_strain[p], material.elastic,

@@ -117,25 +117,25 @@ void MaterialPointMethod::fold_walls(double dt) {
   }
 }
 
-// The same for a cell's gradient: of its 4 x 4 nodes, the first or last column or row may lie outside.
-void MaterialPointMethod::fold_walls(std::size_t cell, CellGradient& gradient) const {
-  const auto fold = [&gradient](Wall wall, std::size_t outside, std::size_t on, std::size_t inside, double sign_x,
-                                double sign_y) {
-    if (moves(wall)) gradient[on] += 2.0 * gradient[outside];
-    gradient[inside] += Array2d(sign_x, sign_y) * gradient[outside];
-    gradient[outside].setZero();
+// The same for a hat's gradient: of its 5 x 5 nodes, one column or row may lie outside. (A hat on the wall has another
+// one there, which its particles do not reach.)
+void MaterialPointMethod::fold_walls(Hat& hat) const {
+  const auto fold = [&hat](Wall wall, int outside, int inwards, Array2d sign) {
+    Array2d* from = hat.gradient.data() + outside;
+    if (moves(wall)) from[inwards] += 2.0 * *from;
+    from[2 * inwards] += sign * *from;
+    from->setZero();
   };
-  const std::size_t column = cell % std::size_t(grid_.columns);
-  const std::size_t row = cell / std::size_t(grid_.columns);
   const Walls& walls = grid_.walls;
-  if (column == 0 && walls.left != Wall::free) {
-    for (std::size_t b = 0; b < 16; b += 4) fold(walls.left, b, b + 1, b + 2, -1.0, tangential_sign(walls.left));
+  if (hat.column <= 1 && walls.left != Wall::free) {
+    for (int b = 0; b < 25; b += 5) fold(walls.left, b + 1 - hat.column, 1, {-1.0, tangential_sign(walls.left)});
   }
-  if (column + 1 == std::size_t(grid_.columns) && walls.right != Wall::free) {
-    for (std::size_t b = 0; b < 16; b += 4) fold(walls.right, b + 3, b + 2, b + 1, -1.0, tangential_sign(walls.right));
+  const int from_right = grid_.columns - hat.column;
+  if (from_right <= 1 && walls.right != Wall::free) {
+    for (int b = 0; b < 25; b += 5) fold(walls.right, b + 3 + from_right, -1, {-1.0, tangential_sign(walls.right)});
   }
-  if (row == 0 && walls.base != Wall::free) {
-    for (std::size_t a = 0; a < 4; ++a) fold(walls.base, a, a + 4, a + 8, tangential_sign(walls.base), -1.0);
+  if (hat.row <= 1 && walls.base != Wall::free) {
+    for (int a = 0; a < 5; ++a) fold(walls.base, 5 * (1 - hat.row) + a, 5, {tangential_sign(walls.base), -1.0});
   }
 }
 
@@ -199,8 +199,8 @@ void MaterialPointMethod::release_walls(std::span<const double> water_mass) {
     if (wall.wall != Wall::absorbing) continue;
     wall.dashpot = wall.spring = Array2d::Zero();
     const auto columns = std::size_t(grid_.node_columns());
-    const Array2d place(grid_.lower[0] + h * (double(wall.on % columns) - 1.0),
-                        grid_.lower[1] + h * (double(wall.on / columns) - 1.0));
+    const Array2d place(grid_.lower[0] + h * (double(wall.on % columns) - 2.0),
+                        grid_.lower[1] + h * (double(wall.on / columns) - 2.0));
     const Eigen::Index along = 1 - wall.normal;
     for (std::size_t p = 0; p < particles_.size(); ++p) {
       const Array2d away = Array2d(particles_.x[p], particles_.y[p]) - place;

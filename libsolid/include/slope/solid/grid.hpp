@@ -20,7 +20,8 @@ struct Walls {
 };
 
 /// The background grid: square cells in a box whose left, right and lower sides are walls. Nodes stand at the corners
-/// of the cells, with one more ring outside of the box, where quadratic B-splines reach.
+/// of the cells, with two more rings outside of the box. Quadratic B-splines reach the first; with the second, five by
+/// five nodes lie around each node on the box.
 struct Grid {
   std::array<double, 2> lower{0.0, 0.0};  ///< lower left corner of the box (m)
   double cell_size = 0.0;                 ///< (m), > 0
@@ -28,13 +29,13 @@ struct Grid {
   int rows = 0;                           ///< cells in y, > 0
   Walls walls;
 
-  [[nodiscard]] int node_columns() const { return columns + 3; }
-  [[nodiscard]] int node_rows() const { return rows + 3; }
+  [[nodiscard]] int node_columns() const { return columns + 5; }
+  [[nodiscard]] int node_rows() const { return rows + 5; }
   [[nodiscard]] std::size_t node_count() const { return std::size_t(node_columns()) * std::size_t(node_rows()); }
   [[nodiscard]] std::size_t cell_count() const { return std::size_t(columns) * std::size_t(rows); }
-  /// Index of the node at column i and row j, each from -1 to the number of cells + 1.
+  /// Index of the node at column i and row j, each from -2 to the number of cells + 2.
   [[nodiscard]] std::size_t node(int i, int j) const {
-    return std::size_t(j + 1) * std::size_t(node_columns()) + std::size_t(i + 1);
+    return std::size_t(j + 2) * std::size_t(node_columns()) + std::size_t(i + 2);
   }
 };
 

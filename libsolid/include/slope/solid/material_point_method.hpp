@@ -31,7 +31,8 @@ struct Settings {
   ShapeFunction shape_function = ShapeFunction::quadratic_bspline;
   double flip_fraction = -1.0;    ///< < 0: APIC; else the FLIP share in [0, 1] of a FLIP/PIC blend
   double gravity = 9.81;          ///< (m/s2), towards -y
-  bool averages_pressure = true;  ///< over each cell; false: every particle's own pressure and strain, as Eq. 17 has it
+  bool averages_pressure = true;  ///< pressure and volume change, over the hat functions of the grid's nodes; false:
+                                  ///< every particle's own, as Eq. 17 has it
   double particle_spacing = 0.0;  ///< surface (m) that a particle's traction acts on: V / h of Eq. 17, undeformed
   int threads = 1;                ///< >= 1; results do not depend on it
 };
@@ -86,10 +87,13 @@ struct Balance {
 ///     correct(dt, q)             the pressure change acts on the grid velocity
 ///     advance(dt, suction, mode) grid to particles: velocity, position, strain, volume, porosity, stress
 ///
-/// The pore pressure acts through its volume-weighted average over the particles of each cell, and so does the
-/// volumetric strain: the two are transposes of each other, so that no energy is made between them. With
-/// Settings::averages_pressure false each particle's own pressure and strain act instead; then volume_response() and
-/// correct() are of no use.
+/// The pore pressure acts through its projection Pi = N M^-1 N^T V on the bilinear hat functions N of the grid's nodes,
+/// V the particles' volumes, M = N^T V 1 (lumped): each node takes the volume-weighted average over its hat, each
+/// particle what the hats give back. The volumetric strain that the water, the volumes and the effective stress see is
+/// projected alike; since Pi^T V = V Pi, force and strain are transposes of each other and no energy is made between
+/// them. A particle's own volume change, four constraints to a cell, would lock soil that flows at constant volume.
+/// With Settings::averages_pressure false each particle's own pressure and strain act instead; then volume_response()
+/// and correct() are of no use.
 class MaterialPointMethod {
  public:
   /// @throws std::invalid_argument if there is no cell, soil or thread, if the particles' arrays differ in length or
@@ -117,14 +121,15 @@ class MaterialPointMethod {
   /// @param water_mass  as in stable_step()
   void release_walls(std::span<const double> water_mass);
 
-  /// Volumetric strain increment dt div v of the present grid velocity, averaged over each cell (-), one per particle.
+  /// Volumetric strain increment dt div v of the present grid velocity, projected (-), one per particle.
   void volumetric_strain(double dt, std::span<double> strain) const;
 
   /// dV = dt^2 V Pi D M^-1 D^T V Pi q: the volume change (m2) that a pore pressure change q (Pa) causes within the
   /// step. Symmetric and positive semidefinite in q.
   void volume_response(double dt, std::span<const double> q, std::span<double> volume_change) const;
 
-  /// Diagonal of volume_response (m2/Pa).
+  /// A bound of the diagonal of volume_response from above, no more than about three times it (m2/Pa): enough to
+  /// scale an iterative solver with, for a fraction of the price.
   void volume_response_diagonal(double dt, std::span<double> diagonal) const;
 
   /// v += dt M^-1 D^T V Pi q.
@@ -161,13 +166,21 @@ class MaterialPointMethod {
   };
   // Grid cells that hold particles.
   struct Cell {
-    std::size_t index;     // in the grid
-    std::size_t node;      // the first of the 4 x 4 that its particles reach
+    std::size_t corner;    // node at the lower left
     std::size_t particle;  // the first one, in cell_particles_
-    double volume;
   };
-  // Per node, the sum over the particles of a cell of V G_ip, wall conditions folded in.
-  using CellGradient = std::array<Eigen::Array2d, 16>;
+  // The bilinear hat functions of the four corners of a particle's cell, at the particle.
+  struct HatWeights {
+    std::size_t corner = 0;         // the lower left node
+    std::array<double, 4> value{};  // of it, of that to its right, and of the two above
+  };
+  // The hat function of a grid node, over the particles that it reaches.
+  struct Hat {
+    int column, row;
+    std::size_t node, first;                  // its own node, and the first of the 5 x 5 around it
+    double volume;                            // M_n: sum of N_n V over the particles
+    std::array<Eigen::Array2d, 25> gradient;  // per node i, sum of N_n V G_i over M_n, wall conditions folded in
+  };
   // A node on a wall that can move: by friction along it, or absorbing. Beyond it the soil is the mirror image, turned
   // over, of the soil inside as seen from the moving node.
   struct WallNode {
@@ -195,6 +208,8 @@ class MaterialPointMethod {
   void find_weights();
   void sort_into_cells();
   template <class Visit>
+  void for_each_in_bands(const std::vector<std::size_t>& bands, const Visit& visit) const;
+  template <class Visit>
   void for_each_cell(const Visit& visit) const;
   PoreState less_outside(const PoreState& pore, const SurfacePressure& surface);
   void scatter(const PoreState& pore, const SurfacePressure& surface, const Eigen::Array2d& acceleration);
@@ -206,10 +221,11 @@ class MaterialPointMethod {
   void move_walls(double dt);
   void unfold_walls();
   void update_velocity(double dt, double damping);
-  void sum_cell_gradients();
-  void fold_walls(std::size_t cell, CellGradient& gradient) const;
+  void find_hats();
+  void fold_walls(Hat& hat) const;
   void find_pressure_force(std::span<const double> q) const;
-  void find_cell_divergence(const std::vector<Eigen::Array2d>& velocity) const;
+  void find_hat_divergence(const std::vector<Eigen::Array2d>& velocity) const;
+  [[nodiscard]] double from_hats(std::size_t p) const;
   template <bool affine>
   void gather(double dt, const StepMode& mode);
   void remap_velocity();
@@ -227,11 +243,15 @@ class MaterialPointMethod {
   std::vector<double> mass_;                 // of each particle, with its water (kg/m)
   std::vector<double> excess_;               // pore pressure less the pressure on the surface (Pa)
   std::vector<std::size_t> grid_cell_of_;    // of each particle
-  std::vector<std::size_t> cell_of_;         // index in cells_ of each particle
   std::vector<std::size_t> cell_start_;      // into cell_particles_, per grid cell
   std::vector<std::size_t> cell_particles_;  // particles by cell
   std::vector<Cell> cells_;                  // in grid order; one more at the end, for its first particle
   std::vector<std::size_t> bands_;           // first cell of each band of rows, see for_each_cell()
+
+  std::vector<HatWeights> hat_weights_;  // of each particle
+  std::vector<std::size_t> hat_at_;      // index in hats_, per node
+  std::vector<Hat> hats_;                // those that reach a particle, in grid order
+  std::vector<std::size_t> hat_bands_;   // first hat of each band of rows
 
   std::vector<WallNode> wall_nodes_;  // in the order of their images, see for_each_image()
   bool walls_released_ = false;
@@ -240,12 +260,11 @@ class MaterialPointMethod {
   std::vector<Node> node_;
   std::vector<Eigen::Array2d> old_velocity_, velocity_;
   std::vector<Eigen::Array2d> response_;  // velocity per impulse: 1 / mass, slowed by the damping; 0 where a wall holds
-  std::vector<CellGradient> cell_gradient_;
   std::vector<std::array<double, 4>> velocity_gradient_;  // of each particle: dvx/dx, dvx/dy, dvy/dx, dvy/dy
   std::vector<Behind> strip_;                             // of the traction at hand
   // work space of the pressure's force and the divergence; it carries nothing from one call to the next
   mutable std::vector<Eigen::Array2d> pressure_force_;
-  mutable std::vector<double> cell_value_;
+  mutable std::vector<double> hat_value_;  // per node
 };
 
 }  // namespace slope::solid
