@@ -63,6 +63,7 @@ MaterialPointMethod::MaterialPointMethod(const Grid& grid, std::vector<Soil> soi
 
   for (const Soil& soil : soils_) materials_.emplace_back(soil, grid_.cell_size);
   find_wall_nodes();
+  find_friction_times();
   weights_.resize(n);
   grid_cell_of_.resize(n);
   hat_weights_.resize(n);
@@ -109,7 +110,7 @@ void MaterialPointMethod::predict(double dt, const PoreState& pore, std::span<co
   const PoreState inside = less_outside(pore, surface);
   scatter(inside, surface, {body_acceleration[0], body_acceleration[1] - settings_.gravity});
   add_tractions(tractions);
-  fold_walls(dt);
+  fold_walls();
   if (settings_.averages_pressure && !inside.pressure.empty()) {
     find_pressure_force(inside.pressure);
     for (std::size_t i = 0; i < node_.size(); ++i) node_[i].force += pressure_force_[i];
@@ -137,6 +138,7 @@ void MaterialPointMethod::update_velocity(double dt, double damping) {
     response_[i] = node_[i].mass > lightest_node * heaviest ? 1.0 / node_[i].mass : 0.0;
   }
   hold_walls();
+  find_gaps();
   move_walls(dt);
   for (std::size_t i = 0; i < node_.size(); ++i) {
     const Node& node = node_[i];

@@ -19,11 +19,6 @@ namespace {
 
 using Eigen::Array2d;
 
-// Friction follows the normal force over the time in which a wave crosses so many cells. Following it at once, sliding
-// and vibration across the wall drive each other: elastic bodies in Coulomb friction are ill-posed without such a delay
-// (Cochard and Rice 2000).
-constexpr double push_cells = 5.0;
-
 constexpr bool moves(Wall wall) {
   return wall == Wall::friction || wall == Wall::absorbing;
 }
@@ -35,6 +30,7 @@ constexpr double tangential_sign(Wall wall) {
 struct Side {
   Wall wall;
   double friction;
+  std::size_t number;   // left, right, base
   Eigen::Index normal;  // axis
   double inwards;       // sign of the inner normal along that axis
 
@@ -48,72 +44,80 @@ struct Side {
 // A node outside of a wall.
 struct Image {
   std::size_t outside, on, inside;
+  std::size_t along;  // number of the node along the wall
   Array2d sign;
   bool moving;  // whether the node on the wall can move
 };
 
 // Calls act(side, image) for each node outside of a wall, so that those in the corners reach the inside in two steps.
-// Where two walls meet, the nodes are those of the base.
+// Where two walls meet that can both move, the nodes are those of the base.
 template <class Act>
 void for_each_image(const Grid& grid, const Act& act) {
   const int nx = grid.columns, ny = grid.rows;
   const Walls& walls = grid.walls;
-  const Side left{walls.left, walls.left_friction, 0, 1.0}, right{walls.right, walls.right_friction, 0, -1.0};
-  const Side base{walls.base, walls.base_friction, 1, 1.0};
+  const Side left{walls.left, walls.left_friction, 0, 0, 1.0}, right{walls.right, walls.right_friction, 1, 0, -1.0};
+  const Side base{walls.base, walls.base_friction, 2, 1, 1.0};
   for (int j = -1; j <= ny + 1; ++j) {
-    const bool above_base = j > 0 || base.wall == Wall::free;
+    const auto along = std::size_t(j + 1);
+    const bool above_base = j > 0 || !moves(base.wall);
     if (left.wall != Wall::free) {
-      act(left, Image{grid.node(-1, j), grid.node(0, j), grid.node(1, j), left.sign(), moves(left.wall) && above_base});
+      act(left, Image{grid.node(-1, j), grid.node(0, j), grid.node(1, j), along, left.sign(),
+                      moves(left.wall) && above_base});
     }
     if (right.wall != Wall::free) {
-      act(right, Image{grid.node(nx + 1, j), grid.node(nx, j), grid.node(nx - 1, j), right.sign(),
+      act(right, Image{grid.node(nx + 1, j), grid.node(nx, j), grid.node(nx - 1, j), along, right.sign(),
                        moves(right.wall) && above_base});
     }
   }
   for (int i = -1; i <= nx + 1 && base.wall != Wall::free; ++i) {
-    act(base, Image{grid.node(i, -1), grid.node(i, 0), grid.node(i, 1), base.sign(), moves(base.wall)});
+    act(base,
+        Image{grid.node(i, -1), grid.node(i, 0), grid.node(i, 1), std::size_t(i + 1), base.sign(), moves(base.wall)});
   }
 }
 
 }  // namespace
 
 void MaterialPointMethod::find_wall_nodes() {
-  push_time_ = push_cells * stable_step(1.0, {});
-  for_each_image(grid_, [&](const Side& side, const Image& image) {
-    if (!image.moving) return;
-    WallNode node;
-    node.on = image.on;
-    node.inside = image.inside;
-    node.normal = side.normal;
-    node.inwards = side.inwards;
-    node.wall = side.wall;
-    node.friction = side.friction;
-    wall_nodes_.push_back(node);
-  });
+  for (std::size_t number = 0; number <= base_side; ++number) {
+    for_each_image(grid_, [&](const Side& side, const Image& image) {
+      if (!image.moving || side.number != number) return;
+      WallNode node;
+      node.outside = image.outside;
+      node.on = image.on;
+      node.inside = image.inside;
+      node.along = image.along;
+      node.normal = side.normal;
+      node.inwards = side.inwards;
+      node.wall = side.wall;
+      node.friction = side.friction;
+      wall_nodes_.push_back(node);
+    });
+    first_wall_node_[number + 1] = wall_nodes_.size();
+  }
 }
 
-void MaterialPointMethod::fold_walls(double dt) {
-  auto wall = wall_nodes_.begin();
+// Images that cannot move come first: in a corner they leave theirs to the wall that can.
+void MaterialPointMethod::fold_walls() {
   for_each_image(grid_, [&](const Side& /*side*/, const Image& image) {
+    if (image.moving) return;
     Node& from = node_[image.outside];
     Node& to = node_[image.inside];
-    if (image.moving) {
-      Node& on = node_[image.on];
-      on.momentum += 2.0 * from.momentum;
-      on.force += 2.0 * from.force;
-      wall->image_mass = from.mass;
-      ++wall;
-    }
     to.momentum += image.sign * from.momentum;
     to.force += image.sign * from.force;
     to.mass += from.mass;
     from = {Array2d::Zero(), Array2d::Zero(), 0.0};
   });
-  // before the pore pressure's force comes in: friction knows the effective stress, and the weight of the half cell at
-  // the wall
-  const double push_share = dt / (dt + push_time_);
-  for (WallNode& node : wall_nodes_) {
-    node.push += push_share * (-node.inwards * node_[node.on].force[node.normal] - node.push);
+  for (WallNode& wall : wall_nodes_) {
+    Node& from = node_[wall.outside];
+    Node& on = node_[wall.on];
+    Node& inside = node_[wall.inside];
+    on.momentum += 2.0 * from.momentum;
+    on.force += 2.0 * from.force;
+    inside.momentum -= from.momentum;
+    inside.force -= from.force;
+    inside.mass += from.mass;
+    wall.image_mass = from.mass;
+    from = {Array2d::Zero(), Array2d::Zero(), 0.0};
   }
 }
 
@@ -146,9 +150,7 @@ void MaterialPointMethod::hold_walls() {
     if (y) response_[grid_.node(i, j)].y() = 0.0;
   };
   const auto holds = [this](Wall wall) { return wall == Wall::fixed || (wall == Wall::absorbing && !walls_released_); };
-  const auto holds_normal = [&holds](Wall wall) {
-    return wall == Wall::roller || wall == Wall::friction || holds(wall);
-  };
+  const auto holds_normal = [&holds](Wall wall) { return wall == Wall::roller || holds(wall); };
   const Walls& walls = grid_.walls;
   for (int j = -1; j <= grid_.rows + 1; ++j) {
     hold(0, j, holds_normal(walls.left), holds(walls.left));
@@ -157,36 +159,33 @@ void MaterialPointMethod::hold_walls() {
   for (int i = -1; i <= grid_.columns + 1; ++i) hold(i, 0, holds(walls.base), holds_normal(walls.base));
 }
 
-// Forces of the walls that can move, and what the motion of their nodes brings to those inside. A node that friction
-// does not hold slides; `response_` is zero where a wall holds.
+// Forces of the walls that can move, and what the motion of their nodes brings to those inside. `response_` is zero
+// where a wall holds.
 void MaterialPointMethod::move_walls(double dt) {
   for (WallNode& wall : wall_nodes_) {
     Node& node = node_[wall.on];
-    Array2d& response = response_[wall.on];
-    Node& inside = node_[wall.inside];
+    const Node& inside = node_[wall.inside];
     // the equation of the node inside, taken out of that of the node on the wall
-    const Array2d share =
-        (response_[wall.inside] > 0.0).select(Array2d::Constant(2.0 * wall.image_mass / inside.mass), 0.0);
-    const Array2d mass = node.mass + wall.image_mass * (4.0 - 2.0 * share);
-    node.momentum += share * inside.momentum;
-    node.force += share * inside.force;
-    if (wall.wall == Wall::friction) {
-      const Eigen::Index along = 1 - wall.normal;
-      if (response[along] > 0.0) {
-        const double impulse = node.momentum[along] + dt * node.force[along];
-        const double largest = wall.friction * std::max(wall.push, 0.0);
-        const bool slides = std::abs(impulse) > dt * largest;
-        response[along] = slides ? 1.0 / mass[along] : 0.0;
-        if (slides) node.force[along] -= std::copysign(largest, impulse);
+    wall.share = (response_[wall.inside] > 0.0).select(Array2d::Constant(2.0 * wall.image_mass / inside.mass), 0.0);
+    wall.mass = node.mass + wall.image_mass * (4.0 - 2.0 * wall.share);
+    node.momentum += wall.share * inside.momentum;
+    node.force += wall.share * inside.force;
+  }
+  resist_by_friction(dt);
+  for (WallNode& wall : wall_nodes_) {
+    Node& node = node_[wall.on];
+    Array2d& response = response_[wall.on];
+    if (wall.wall == Wall::absorbing) {
+      if (walls_released_) {
+        node.force += wall.reaction - wall.spring * wall.displacement;
+        response = (response > 0.0).select(1.0 / (wall.mass + dt * wall.dashpot), 0.0);
+      } else {
+        wall.reaction = -node.force;
       }
-    } else if (walls_released_) {
-      node.force += wall.reaction - wall.spring * wall.displacement;
-      response = (response > 0.0).select(1.0 / (mass + dt * wall.dashpot), 0.0);
-    } else {
-      wall.reaction = -node.force;
     }
     const Array2d before = node.momentum * response;
     const Array2d after = (node.momentum + dt * node.force) * response;
+    Node& inside = node_[wall.inside];
     inside.momentum += 2.0 * wall.image_mass * before;
     inside.force += 2.0 * wall.image_mass / dt * (after - before);
   }

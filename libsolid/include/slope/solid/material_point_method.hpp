@@ -79,6 +79,13 @@ struct Balance {
   double weight = 0.0;            ///< of all particles (N/m)
 };
 
+/// What a frictional wall bears at one of its nodes.
+struct WallReaction {
+  double x = 0.0, y = 0.0;  ///< place of the node (m)
+  double normal = 0.0;      ///< on the soil, away from the wall (N/m), >= 0
+  double friction = 0.0;    ///< on the soil, along the wall's axis (N/m)
+};
+
 /// The material point method for the soil skeleton: momentum of the mixture on a background grid (paper, Eq. 17), in
 /// four calls that leave room for the pore water between them:
 ///
@@ -145,6 +152,8 @@ class MaterialPointMethod {
   [[nodiscard]] const Grid& grid() const { return grid_; }
   [[nodiscard]] const std::vector<Soil>& soils() const { return soils_; }
   [[nodiscard]] const Balance& balance() const { return balance_; }
+  /// Reactions of the frictional walls in the latest step, one per node of theirs.
+  [[nodiscard]] std::vector<WallReaction> wall_reactions() const;
   /// Brings all particles to rest.
   void stop();
 
@@ -181,16 +190,23 @@ class MaterialPointMethod {
     double volume;                            // M_n: sum of N_n V over the particles
     std::array<Eigen::Array2d, 25> gradient;  // per node i, sum of N_n V G_i over M_n, wall conditions folded in
   };
-  // A node on a wall that can move: by friction along it, or absorbing. Beyond it the soil is the mirror image, turned
+  // A node on a wall that can move: one with friction, or absorbing. Beyond it the soil is the mirror image, turned
   // over, of the soil inside as seen from the moving node.
   struct WallNode {
-    std::size_t on = 0, inside = 0;  // on the wall and next to it
-    Eigen::Index normal = 0;         // axis
-    double inwards = 1.0;            // sign of the inner normal along that axis
+    std::size_t outside = 0, on = 0, inside = 0;
+    std::size_t along = 0;    // number along the wall
+    Eigen::Index normal = 0;  // axis
+    double inwards = 1.0;     // sign of the inner normal along that axis
     Wall wall = Wall::friction;
-    double friction = 0.0;
-    double image_mass = 0.0;                               // what the particles gave the node outside (kg/m)
-    double push = 0.0;                                     // of the soil against the wall (N/m)
+    double image_mass = 0.0;                        // what the particles gave the node outside (kg/m)
+    Eigen::Array2d share = Eigen::Array2d::Zero();  // of the momentum of the node inside that moves it (-)
+    Eigen::Array2d mass = Eigen::Array2d::Zero();   // that it moves (kg/m)
+
+    double friction = 0.0;                            // coefficient (-)
+    double gap = 0.0;                                 // to the soil (m)
+    double normal_force = 0.0, friction_force = 0.0;  // on the soil, inwards and along the axis (N/m)
+    double felt = 0.0, usual = 0.0;  // normal force, as the whole of the friction and its distribution follow it (N/m)
+
     Eigen::Array2d reaction = Eigen::Array2d::Zero();      // force of the wall at rest (N/m)
     Eigen::Array2d displacement = Eigen::Array2d::Zero();  // since the release (m)
     Eigen::Array2d dashpot = Eigen::Array2d::Zero();       // (N s/m2)
@@ -215,10 +231,16 @@ class MaterialPointMethod {
   void scatter(const PoreState& pore, const SurfacePressure& surface, const Eigen::Array2d& acceleration);
   void add_tractions(std::span<const ParticleTraction> tractions);
   void find_strip(const ParticleTraction& traction, double nx, double ny, double limit);
-  void fold_walls(double dt);
+  void fold_walls();
   void hold_walls();
   void find_wall_nodes();
+  void find_gaps();
   void move_walls(double dt);
+  void find_friction_times();
+  void resist_by_friction(double dt);
+  void resist_by_friction(std::span<WallNode> stretch, double dt);
+  void press(WallNode& wall, double dt);
+  void rub(WallNode& wall, double limit, double dt);
   void unfold_walls();
   void update_velocity(double dt, double damping);
   void find_hats();
@@ -253,9 +275,11 @@ class MaterialPointMethod {
   std::vector<Hat> hats_;                // those that reach a particle, in grid order
   std::vector<std::size_t> hat_bands_;   // first hat of each band of rows
 
-  std::vector<WallNode> wall_nodes_;  // in the order of their images, see for_each_image()
+  static constexpr std::size_t base_side = 2;     // after left and right
+  std::vector<WallNode> wall_nodes_;              // by side
+  std::array<std::size_t, 4> first_wall_node_{};  // of each side, and the end
   bool walls_released_ = false;
-  double push_time_ = 0.0;  // over which friction follows the normal force (s)
+  double whole_time_ = 0.0, distribution_time_ = 0.0;  // in which friction follows the normal force (s)
 
   std::vector<Node> node_;
   std::vector<Eigen::Array2d> old_velocity_, velocity_;
