@@ -15,6 +15,8 @@ choices=(
   "cells of 1 m|domain.cell_size=1 m"
   "9 particles per cell|domain.particles_per_cell=9"
   "surface without steps|domain.surface_particles=clipped"
+  "zero pressure at the ground|water_boundaries.rain.applied_to=face"
+  "ground as drawn|domain.surface_particles=clipped|water_boundaries.rain.applied_to=face"
   "rigid skeleton|coupling.skeleton=rigid"
   "rain on the face only|water_boundaries.rain.from=10 m|water_boundaries.rain.to=22.6 m"
   "base 2.5 m thick|domain.lower=[0 m, 2.5 m]|geometry.0.polygon=[[0 m, 2.5 m], [36 m, 2.5 m], [36 m, 12 m], [22.6 m, 12 m], [10 m, 5 m], [0 m, 5 m]]"

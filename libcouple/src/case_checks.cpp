@@ -5,10 +5,12 @@
 #include <filesystem>
 
 #include "case_format.hpp"
+#include "frame.hpp"
 #include "initial_state.hpp"
 #include "polygon.hpp"
 #include "slope/couple/geometry.hpp"
 #include "standing_water_share.hpp"
+#include "units.hpp"
 
 namespace slope::couple {
 
@@ -20,7 +22,7 @@ constexpr double most_cells = 4.0e6;
 constexpr double least_gap_cells = 2.0;
 
 std::string text_of(const Point& point) {
-  return fmt::format("({:g} m, {:g} m)", point[0], point[1]);
+  return fmt::format("({}, {})", length_text(point[0]), length_text(point[1]));
 }
 
 void check_domain(const Input& place, const Domain& domain) {
@@ -37,9 +39,9 @@ void check_domain(const Input& place, const Domain& domain) {
     cells *= along;
     if (std::abs(along - std::round(along)) < 1.0e-6 && along > 0.5) continue;
     const double fitting = domain.lower[axis] + std::max(1.0, std::ceil(along)) * domain.cell_size;
-    place.at("upper").problem(
-        fmt::format("the {} of {:g} m is not a whole number of cells of {:g} m; {} = {:g} m would be",
-                    axis == 0 ? "width" : "height", side, domain.cell_size, axis == 0 ? "x" : "y", fitting));
+    place.at("upper").problem(fmt::format("the {} of {} is not a whole number of cells of {}; {} = {} would be",
+                                          axis == 0 ? "width" : "height", length_text(side),
+                                          length_text(domain.cell_size), axis == 0 ? "x" : "y", length_text(fitting)));
   }
   if (cells > most_cells) {
     place.at("cell_size")
@@ -69,7 +71,7 @@ void check_region(const Input& place, const Domain& domain, const Region& region
     outline.problem("the polygon encloses no area; its corners lie on one line");
   } else if (fill_regions(whole_particles, {region}).x.empty()) {
     outline.problem(
-        fmt::format("no particle lies in the polygon; it is too small for cells of {:g} m", domain.cell_size));
+        fmt::format("no particle lies in the polygon; it is too small for cells of {}", length_text(domain.cell_size)));
   }
 }
 
@@ -150,8 +152,8 @@ void check_overlaps(const Input& place, const std::vector<WaterBoundary>& bounda
   }
 }
 
-/// Standing water weighs on the soil up to where its share fades out (see StandingWaterShare): there must be ground.
-void check_reservoirs(const Input& place, const Case& input, const InitialParticles& particles) {
+/// Standing water weighs on the soil up to where its share fades out (see StandingWaterShare): there must be room.
+void check_reservoirs(const Input& place, const Case& input) {
   if (input.scheme == Scheme::seepage) return;
   const StandingWaterShare share(input.water_boundaries);
   for (std::size_t i = 0; i < input.water_boundaries.size(); ++i) {
@@ -159,21 +161,31 @@ void check_reservoirs(const Input& place, const Case& input, const InitialPartic
     if (reservoir == nullptr) continue;
     if (share.gap_after(i) < least_gap_cells * input.domain.cell_size) {
       place.item(i).problem(
-          fmt::format("ends {:g} m before the next reservoir begins; leave at least {:g} m of ground between them, "
-                      "higher than both",
-                      share.gap_after(i), least_gap_cells * input.domain.cell_size));
-      continue;
+          fmt::format("ends {} before the next reservoir begins; leave at least {} of ground between them, higher than "
+                      "both",
+                      length_text(share.gap_after(i)), length_text(least_gap_cells * input.domain.cell_size)));
     }
+  }
+}
+
+/// Beyond the range of a reservoir the ground must be higher than its level, or its weight would stand in the air.
+void check_shores(const Input& place, const Case& input, const InitialParticles& particles, const Frame& frame) {
+  if (input.scheme == Scheme::seepage) return;
+  const StandingWaterShare share(input.water_boundaries);
+  for (std::size_t i = 0; i < input.water_boundaries.size(); ++i) {
+    const auto* reservoir = std::get_if<Reservoir>(&input.water_boundaries[i].condition);
+    if (reservoir == nullptr || share.gap_after(i) < least_gap_cells * input.domain.cell_size) continue;
     const PlaceRange& where = input.water_boundaries[i].where;
     const double level = reservoir->level.highest();
     for (const std::size_t p : particles_at({}, particles)) {
       const double x = particles.x[p], ground = particles.y[p] + particles.face_distance[p];
       if ((x >= where.from && x <= where.to) || ground >= level || share.of(i, x).value == 0.0) continue;
       place.item(i).problem(fmt::format(
-          "the ground at x = {:g} m, y = {:g} m lies beyond \"from\" and \"to\", but below the highest level, {:g} m; "
+          "the ground at x = {}, y = {} lies beyond \"from\" and \"to\", but below the highest level, {}; "
           "widen the range, give that side a reservoir of its own, or move the water alone with \"coupling: {{scheme: "
           "seepage}}\"",
-          x, ground, level));
+          length_text(frame.position({x, ground})[0]), length_text(frame.height(ground)),
+          length_text(frame.height(level))));
       break;
     }
   }
@@ -246,21 +258,50 @@ void check_output(const Input& place, const Case& input) {
   check("history_interval", input.output.history_interval, most_rows, "rows");
 }
 
-/// Water above the ground that nothing holds there would fall on the soil as pressure without weight.
-void check_water_table(const Input& place, const Case& input, const InitialParticles& particles) {
-  const auto* hydrostatic = std::get_if<HydrostaticWater>(&input.initial_water);
-  const bool reservoir = std::any_of(input.water_boundaries.begin(), input.water_boundaries.end(), [](const auto& b) {
-    return b.initial && std::holds_alternative<Reservoir>(b.condition);
+/// Height to which water stands in the ground's pores at a place, if one looks into them from above (m); none for
+/// steady flow, which finds it.
+std::optional<double> water_level_at(const Case& input, const Point& ground) {
+  if (const auto* hydrostatic = std::get_if<HydrostaticWater>(&input.initial_water)) return hydrostatic->water_table;
+  if (const auto* table = std::get_if<WaterTable>(&input.initial_water)) return table->height_at(ground[0]);
+  if (const auto* uniform = std::get_if<UniformWater>(&input.initial_water)) {
+    return ground[1] + uniform->pressure / (input.water.density * input.gravity);
+  }
+  return std::nullopt;
+}
+
+/// Whether water stands there up to that level at the start: under a reservoir, or under a pressure or head that is
+/// prescribed. A uniform pressure may also meet a prescribed one at which it drains, as in a test of consolidation.
+bool is_held(const Case& input, const Point& ground, double level) {
+  return std::any_of(input.water_boundaries.begin(), input.water_boundaries.end(), [&](const WaterBoundary& boundary) {
+    if (ground[0] < boundary.where.from || ground[0] > boundary.where.to) return false;
+    if (const auto* reservoir = std::get_if<Reservoir>(&boundary.condition)) {
+      return (boundary.initial || input.scheme == Scheme::seepage) && level <= reservoir->level.at(0.0);
+    }
+    const auto* held = std::get_if<PrescribedPressure>(&boundary.condition);
+    if (held == nullptr || boundary.where.place != Place::ground_surface || boundary.start > 0.0) return false;
+    if (std::holds_alternative<UniformWater>(input.initial_water)) return true;
+    const double unit_weight = input.water.density * input.gravity;
+    return level <= (held->total_head ? held->total_head->at(0.0) : ground[1] + held->pressure.at(0.0) / unit_weight);
   });
-  if (hydrostatic == nullptr || reservoir || input.scheme == Scheme::seepage) return;
+}
+
+/// Water above the ground that nothing holds there would fall on the soil as pressure without weight.
+void check_water_table(const Input& place, const Case& input, const InitialParticles& particles, const Frame& frame) {
+  const double tolerance = particles.spacing;
   for (const std::size_t p : particles_at({}, particles)) {
-    const double ground = particles.y[p] + particles.face_distance[p];
-    if (hydrostatic->water_table <= ground + particles.spacing) continue;
-    place.at("water_table")
-        .problem(fmt::format(
-            "stands {:g} m above the ground at x = {:g} m; add a reservoir of that level with \"initial: true\" to "
-            "water_boundaries, or lower it",
-            hydrostatic->water_table - ground, particles.x[p]));
+    const Point ground{particles.x[p], particles.y[p] + particles.face_distance[p]};
+    const auto level = water_level_at(input, ground);
+    if (!level || *level <= ground[1] + tolerance || is_held(input, ground, *level - tolerance)) continue;
+    const bool uniform = std::holds_alternative<UniformWater>(input.initial_water);
+    const bool line = std::holds_alternative<WaterTable>(input.initial_water);
+    place.at(uniform ? "pressure"
+             : line  ? "points"
+                     : "water_table")
+        .problem(
+            fmt::format("{} {} above the ground at x = {}; add a reservoir of that level with \"initial: true\" to "
+                        "water_boundaries, or lower it",
+                        uniform ? "is that of water which stands" : "stands", length_text(*level - ground[1]),
+                        length_text(frame.position(ground)[0])));
     return;
   }
 }
@@ -282,24 +323,27 @@ void check_case(const Input& root, const Case& input) {
     for (std::size_t i = 0; i < input.regions.size(); ++i)
       check_region(geometry.item(i), input.domain, input.regions[i]);
   }
-  const bool soil_is_known = root.clean("domain") && root.clean("geometry");
+  const bool soil_is_known = root.clean("domain") && root.clean("geometry") && !input.soils.empty();
   if (soil_is_known && root.clean("points")) check_points(root, input);
   const Input water = root.at("water_boundaries");
   if (root.clean("water_boundaries")) {
     check_names(water, input.water_boundaries);
     check_overlaps(water, input.water_boundaries);
     if (root.clean("initial")) check_steady(root, input);
+    if (root.clean("coupling") && root.clean("water_boundaries")) check_reservoirs(water, input);
   }
   if (root.clean("loads")) check_names(root.at("loads"), input.tractions);
   if (soil_is_known) {
-    const InitialParticles particles = fill_regions(input.domain, input.regions);
+    const Frame frame(input);
+    const Case placed = frame.place(input);
+    const InitialParticles particles = fill_regions(placed.domain, placed.regions);
     if (root.clean("water_boundaries")) {
-      check_places(water, input.water_boundaries, particles);
-      if (root.clean("coupling")) check_reservoirs(water, input, particles);
+      check_places(water, placed.water_boundaries, particles);
+      if (root.clean("coupling")) check_shores(water, placed, particles, frame);
     }
-    if (root.clean("loads")) check_places(root.at("loads"), input.tractions, particles);
+    if (root.clean("loads")) check_places(root.at("loads"), placed.tractions, particles);
     if (root.clean("water_boundaries") && root.clean("initial") && root.clean("coupling")) {
-      check_water_table(root.at("initial").at("water"), input, particles);
+      check_water_table(root.at("initial").at("water"), placed, particles, frame);
     }
   }
   if (root.clean("initial") && root.clean("soils")) check_k0(root, input);

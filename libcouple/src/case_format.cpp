@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "profile.hpp"
+#include "units.hpp"
 
 namespace slope::couple {
 
@@ -34,8 +35,8 @@ Format<Domain> domain_format() {
       .optional(
           "surface_particles", &Domain::surface_particles,
           choice<SurfaceParticles>({{"lattice", SurfaceParticles::lattice}, {"clipped", SurfaceParticles::clipped}}),
-          "lattice: whole particles whose centre lies in a polygon, inclined surfaces are stair-steps; clipped: "
-          "volumes and centroids of what the polygons cut out of the lattice, exact in area")
+          "clipped: volumes and centroids of what the polygons cut out of the lattice, exact in area; lattice: whole "
+          "particles whose centre lies in a polygon, inclined surfaces are stair-steps")
       .format();
 }
 
@@ -149,9 +150,9 @@ std::vector<Point> polygon_below(const Input& region, const RegionText& text, co
   const double tolerance = 1.0e-9 * domain.cell_size;
   if (line.front()[0] > domain.lower[0] + tolerance || line.back()[0] < domain.upper[0] - tolerance) {
     surface.at("file").problem(fmt::format(
-        "{} goes from x = {:g} m to {:g} m and does not cover the domain, from {:g} m to {:g} m; add points "
-        "or make the domain smaller",
-        text.surface->file, line.front()[0], line.back()[0], domain.lower[0], domain.upper[0]));
+        "{} goes from x = {} to {} and does not cover the domain, from {} to {}; add points or make the domain smaller",
+        text.surface->file, length_text(line.front()[0]), length_text(line.back()[0]), length_text(domain.lower[0]),
+        length_text(domain.upper[0])));
     return {};
   }
   return region_below(line, text.surface->depth, text.base.value_or(domain.lower[1]), domain);

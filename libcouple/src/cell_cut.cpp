@@ -7,6 +7,9 @@ namespace slope::couple {
 
 namespace {
 
+/// What is this close (in sides of the square) is in the same place, whatever the rounding.
+constexpr double tolerance = 1.0e-9;
+
 /// A part of an edge within a slab, its heights limited to those of the square.
 struct Part {
   double left = 0.0, right = 0.0;
@@ -35,10 +38,13 @@ class Sum {
     cut.share[region] += area;
     moment_x_ += 0.5 * width * (left + right) * (from - corner_[0]) + width * width * (left + 2.0 * right) / 6.0;
     moment_y_ += width * (square_of(high) - square_of(low)) / 6.0;
+    const double margin = tolerance * side_;
+    if (area <= margin * width) return;  // a line above or below the square
+    const double bottom = corner_[1] + margin, top = corner_[1] + side_ - margin;
     if (from == corner_[0]) cut.contact[0] += left;
     if (to == corner_[0] + side_) cut.contact[1] += right;
-    if (low.left == corner_[1] && low.right == corner_[1]) cut.contact[2] += width;
-    if (high.left == corner_[1] + side_ && high.right == corner_[1] + side_) cut.contact[3] += width;
+    if (low.left <= bottom && low.right <= bottom) cut.contact[2] += width;
+    if (high.left >= top && high.right >= top) cut.contact[3] += width;
   }
 
   [[nodiscard]] Point centroid(double area) const {

@@ -5,6 +5,7 @@
 
 #include "case_format.hpp"
 #include "hyetograph_file.hpp"
+#include "units.hpp"
 
 namespace slope::couple {
 
@@ -266,7 +267,7 @@ void from_text(const Input& input, const WaterBoundaryText& text, WaterBoundary&
     return;
   }
   boundary.condition =
-      PrescribedPressure{text.pressure.value_or(TimeSeries{}), text.total_head, text.at_face.value_or(false)};
+      PrescribedPressure{text.pressure.value_or(TimeSeries{}), text.total_head, text.at_face.value_or(true)};
 }
 
 WaterBoundaryText to_text(const WaterBoundary& boundary) {
@@ -311,8 +312,9 @@ Format<InitialWater> initial_water_format() {
       .check([](const Input& input, WaterTable& table) {
         for (std::size_t i = 1; i < table.points.size(); ++i) {
           if (table.points[i][0] > table.points[i - 1][0]) continue;
-          input.at("points").item(i).problem(fmt::format("x must be above that of the point before, {:g} m, got {:g} m",
-                                                         table.points[i - 1][0], table.points[i][0]));
+          input.at("points").item(i).problem(fmt::format("x must be above that of the point before, {}, got {}",
+                                                         length_text(table.points[i - 1][0]),
+                                                         length_text(table.points[i][0])));
         }
       });
   Record<UniformWater> uniform;
@@ -365,9 +367,10 @@ Format<WaterBoundary> water_boundary_format() {
       .optional("reservoir", &WaterBoundaryText::reservoir, maybe(reservoir_format()),
                 "water that stands on the free surface with its pressure and its weight; above its level the surface "
                 "takes the rain that another boundary has there, or lets water out")
-      .optional(
-          "applied_to", &WaterBoundaryText::at_face, maybe(choice<bool>({{"particle", false}, {"face", true}})),
-          "where a pressure or head holds: in the particle (default) or at the face half a spacing outside of it");
+      .optional("applied_to", &WaterBoundaryText::at_face, maybe(choice<bool>({{"particle", false}, {"face", true}})),
+                "where a pressure or head holds: at the face (default), which is the ground as it is drawn, or in the "
+                "particle, half "
+                "a spacing inside");
   add_times(record, common);
   record.optional(
       "initial", [](auto& text) -> auto& { return text.common.initial; }, flag(),

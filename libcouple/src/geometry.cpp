@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <tuple>
 
 #include "cell_cut.hpp"
 #include "polygon.hpp"
@@ -124,6 +125,7 @@ class Outlines {
 
 /// The soil with the largest share; of equal ones the one laid last.
 int largest_soil(const CellCut& cut, const std::vector<Region>& regions) {
+  const double margin = tolerance * cut.area;
   std::size_t best = 0;
   double largest = -1.0;
   for (std::size_t i = regions.size(); i-- > 0;) {
@@ -131,7 +133,7 @@ int largest_soil(const CellCut& cut, const std::vector<Region>& regions) {
     for (std::size_t j = 0; j < regions.size(); ++j) {
       if (regions[j].soil == regions[i].soil) share += cut.share[j];
     }
-    if (share > largest) {
+    if (share > largest + margin) {
       largest = share;
       best = regions[i].soil;
     }
@@ -190,8 +192,7 @@ class SliverJoin {
     for (std::size_t p = 0; p < pieces_.size(); ++p) {
       if (is_sliver(p)) order.push_back(p);
     }
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t a, std::size_t b) { return pieces_[a].volume < pieces_[b].volume; });
+    std::ranges::sort(order, {}, [&](std::size_t p) { return rank_of(pieces_[p]); });
     for (const std::size_t p : order) {
       if (is_sliver(p)) join(p);
     }
@@ -203,8 +204,15 @@ class SliverJoin {
   }
 
  private:
+  /// The smallest come first, and of equal ones, row by row, those on the left: an order that goes with a straight
+  /// face.
+  [[nodiscard]] std::tuple<double, int, int> rank_of(const Piece& piece) const {
+    const double share = piece.volume / (lattice_.spacing * lattice_.spacing);
+    return {std::floor(share / tolerance + 0.25), piece.row, piece.column};
+  }
+
   [[nodiscard]] bool is_sliver(std::size_t p) const {
-    return pieces_[p].volume < least_share * lattice_.spacing * lattice_.spacing;
+    return pieces_[p].volume < (least_share - tolerance) * lattice_.spacing * lattice_.spacing;
   }
 
   [[nodiscard]] std::size_t whole_of(std::size_t p) const {
@@ -212,21 +220,24 @@ class SliverJoin {
     return p;
   }
 
-  /// To the neighbour that is no sliver itself and has the longest side in common; among slivers if there is no other.
-  /// A piece that touches nothing stays as it is.
+  /// To the neighbour that is no sliver itself and has the longest side in common, of equal ones the lower; among
+  /// slivers if there is no other. A piece that touches nothing stays as it is.
   void join(std::size_t p) {
     constexpr std::array<std::array<int, 2>, 4> steps{{{-1, 0}, {1, 0}, {0, -1}, {0, 1}}};
+    const double margin = tolerance * lattice_.spacing;
     std::size_t best = p;
-    for (std::size_t side = 0; side < steps.size(); ++side) {
-      if (pieces_[p].contact[side] <= tolerance * lattice_.spacing) continue;
+    double longest = 0.0;
+    for (const std::size_t side : {2u, 0u, 1u, 3u}) {
+      const double contact = pieces_[p].contact[side];
+      if (contact <= margin) continue;
       const auto found = at_.find({pieces_[p].column + steps[side][0], pieces_[p].row + steps[side][1]});
       if (found == at_.end()) continue;
       const std::size_t q = whole_of(found->second);
       if (q == p) continue;
-      const auto rank = [&](std::size_t piece, double contact) { return std::pair(!is_sliver(piece), contact); };
-      if (best != p && rank(q, pieces_[p].contact[side]) <= rank(best, contact_)) continue;
+      const bool better = is_sliver(q) == is_sliver(best) ? contact > longest + margin : is_sliver(best);
+      if (best != p && !better) continue;
       best = q;
-      contact_ = pieces_[p].contact[side];
+      longest = contact;
     }
     if (best == p) return;
     Piece& sliver = pieces_[p];
@@ -243,7 +254,6 @@ class SliverJoin {
   std::vector<Piece>& pieces_;
   std::vector<std::size_t> joined_to_;
   std::map<std::array<int, 2>, std::size_t> at_;
-  double contact_ = 0.0;
 };
 
 }  // namespace
@@ -278,17 +288,18 @@ std::vector<std::size_t> particles_at(const PlaceRange& where, const InitialPart
   const bool outermost_is_largest = top || where.place == Place::right;
   const std::vector<int>& line = by_column ? particles.column : particles.row;
   const std::vector<double>& across = by_column ? particles.x : particles.y;
-  const std::vector<double>& outwards = by_column ? particles.y : particles.x;
+  const std::vector<int>& outwards = by_column ? particles.row : particles.column;
 
   std::map<int, std::size_t> outermost;
   for (std::size_t p = 0; p < across.size(); ++p) {
     const auto [entry, first] = outermost.try_emplace(line[p], p);
-    const double beyond = outwards[p] - outwards[entry->second];
-    if (!first && (outermost_is_largest ? beyond > 0.0 : beyond < 0.0)) entry->second = p;
+    const int beyond = outwards[p] - outwards[entry->second];
+    if (!first && (outermost_is_largest ? beyond > 0 : beyond < 0)) entry->second = p;
   }
+  const double margin = tolerance * particles.spacing;
   std::vector<std::size_t> chosen;
   for (const auto& [number, p] : outermost) {
-    if (across[p] >= where.from && across[p] <= where.to) chosen.push_back(p);
+    if (across[p] >= where.from - margin && across[p] <= where.to + margin) chosen.push_back(p);
   }
   return chosen;
 }

@@ -114,10 +114,9 @@ class Table {
       point[axis] = std::get<double>(value);
     }
     if (!points.empty() && point[0] < points.back()[0]) {
-      place_.problem_in(
-          file_, line,
-          fmt::format("x = {:g} m lies left of {:g} m in the line before; give the points from left to right", point[0],
-                      points.back()[0]));
+      place_.problem_in(file_, line,
+                        fmt::format("x = {} lies left of {} in the line before; give the points from left to right",
+                                    length_text(point[0]), length_text(points.back()[0])));
       return false;
     }
     points.push_back(point);

@@ -8,6 +8,7 @@
 #include "checkerboard.hpp"
 #include "clock_control.hpp"
 #include "failure.hpp"
+#include "frame.hpp"
 #include "initial_state.hpp"
 #include "mixture.hpp"
 #include "scheme.hpp"
@@ -64,7 +65,9 @@ std::size_t nearest_particle(const InitialParticles& particles, const Point& poi
 
 struct Simulation::State {
   State(Case c, int threads)
-      : input(std::move(c)),
+      : given(std::move(c)),
+        frame(given),
+        input(frame.place(given)),
         particles(fill(input)),
         mixture(input, particles, initial_pressure(input, particles), threads),
         scale(scale_of(input, particles, mixture)),
@@ -104,12 +107,15 @@ struct Simulation::State {
   }
   [[nodiscard]] bool due(double t) const { return t <= time + sliver * time_step; }
   [[nodiscard]] double next_stop() const;
+  [[nodiscard]] std::string text_of(const solid::SolidError& error) const;
   [[nodiscard]] FailureZone zone() const {
     return find_failure_zone(mixture.soil.particles(), mixture.water.suction(), surface, particles.spacing,
                              input.failure_zone_strain, input.onset_displacement);
   }
 
-  Case input;
+  Case given;
+  Frame frame;
+  Case input;  // in the frame, as is all that follows; what leaves is turned back
   InitialParticles particles;
   Mixture mixture;
   SlopeScale scale;
@@ -254,6 +260,14 @@ void Simulation::State::check_end() {
   }
 }
 
+// Positions in the case's own coordinates.
+std::string Simulation::State::text_of(const solid::SolidError& error) const {
+  const bool is_x = error.field.starts_with("x position");
+  if (!is_x && !error.field.starts_with("y position")) return error.what();
+  const Point place = frame.position({mixture.soil.particles().x[error.particle], error.value});
+  return solid::SolidError(error.particle, error.field, place[is_x ? 0 : 1]).what();
+}
+
 Simulation::Simulation(Case input, int threads) : state_(std::make_unique<State>(std::move(input), threads)) {}
 Simulation::~Simulation() = default;
 Simulation::Simulation(Simulation&&) noexcept = default;
@@ -291,7 +305,7 @@ void Simulation::initialise() {
   try {
     state_->find_initial_state();
   } catch (const solid::SolidError& error) {
-    throw SimulationError(std::string("before the start: soil ") + error.what() +
+    throw SimulationError("before the start: soil " + state_->text_of(error) +
                           "; the weight may be too much for the stiffness, youngs_modulus");
   } catch (const seepage::SeepageError& error) {
     throw SimulationError(std::string("before the start: pore water, ") + error.what());
@@ -318,7 +332,7 @@ Event Simulation::advance() {
       if (event.history || event.snapshot) break;
     }
   } catch (const solid::SolidError& error) {
-    throw SimulationError("at t = " + std::to_string(s.time) + " s: soil " + error.what());
+    throw SimulationError("at t = " + std::to_string(s.time) + " s: soil " + s.text_of(error));
   } catch (const seepage::SeepageError& error) {
     throw SimulationError("at t = " + std::to_string(s.time) + " s: pore water, " + error.what());
   }
@@ -332,7 +346,7 @@ Event Simulation::advance() {
 }
 
 const Case& Simulation::input() const {
-  return state_->input;
+  return state_->given;
 }
 
 Progress Simulation::progress() const {
@@ -370,6 +384,7 @@ ParticleTable Simulation::particles() const {
   table.porosity = soil.porosity;
   table.volume = soil.volume;
   table.soil = s.particles.soil;
+  s.frame.turn_back(table);
   return table;
 }
 
@@ -437,6 +452,7 @@ Summary Simulation::summary() const {
   Summary summary = s.result;
   summary.time = s.time;
   summary.zone_at_end = s.zone();
+  s.frame.turn_back(summary);
   summary.largest_displacement = s.largest_displacement;
   summary.steps = s.steps;
   summary.mean_pressure_iterations =

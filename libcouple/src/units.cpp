@@ -225,6 +225,10 @@ std::string quantity_text(double value, Dimension dimension) {
   return shortest;
 }
 
+std::string length_text(double metres) {
+  return fmt::format("{} m", std::round(metres * 1.0e6) / 1.0e6);
+}
+
 std::string quantity_pattern(Dimension dimension) {
   return fmt::format(R"(^[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?\s+({})$)",
                      fmt::join(units_of(dimension), "|"));

@@ -36,6 +36,9 @@ enum class Dimension {
 /// where that is shorter.
 [[nodiscard]] std::string quantity_text(double value, Dimension dimension);
 
+/// A length for messages, to the micrometre whatever its size: "500123.45 m", "0.3 m".
+[[nodiscard]] std::string length_text(double metres);
+
 /// A regular expression (ECMA) of the texts that parse_quantity() takes as that dimension.
 [[nodiscard]] std::string quantity_pattern(Dimension dimension);
 

@@ -27,8 +27,8 @@ void check(const std::string& file, const std::vector<std::string>& overrides) {
   const auto cells = [&](std::size_t axis) {
     return std::lround((domain.upper[axis] - domain.lower[axis]) / domain.cell_size);
   };
-  fmt::print("{}: fine: {} particles of {} soil{} on {} x {} cells of {:g} m, until {:g} s\n", file,
-             fill_regions(domain, input.regions).x.size(), input.soils.size(), input.soils.size() == 1 ? "" : "s",
+  fmt::print("{}: fine: {} particles of {} soil{} on {} x {} cells of {} m, until {:g} s\n", file,
+             first_particles(input).x.size(), input.soils.size(), input.soils.size() == 1 ? "" : "s",
              cells(0), cells(1), domain.cell_size, input.stop.time);
 }
 

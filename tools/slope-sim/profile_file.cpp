@@ -57,7 +57,7 @@ std::vector<std::array<double, 2>> read_poly_line(const std::filesystem::path& f
   if (line.front()[0] > line.back()[0]) std::reverse(line.begin(), line.end());
   for (std::size_t i = 1; i < line.size(); ++i) {
     if (line[i][0] >= line[i - 1][0]) continue;
-    refuse(file, fmt::format("the poly-line turns back at x = {:g} m; a ground surface has no overhang", line[i][0]));
+    refuse(file, fmt::format("the poly-line turns back at x = {} m; a ground surface has no overhang", line[i][0]));
   }
   return line;
 }

@@ -85,7 +85,7 @@ water_boundaries:
     # from: 0 m                          # only from this x on (left, right: from this y on)
     # to: 11 m                           # only up to this x (left, right: y)
     pressure: 0 kPa                      # or total_head: 3 m, or flux: 10 mm/h into the soil
-    applied_to: particle                 # or face: half a particle spacing outside of it
+    applied_to: face                     # the ground itself; or particle: half a particle spacing inside
     start: 0 s                           # when it begins
     ramp: 1 s                            # how long it takes from what is there to the prescribed value
 

@@ -54,7 +54,7 @@ const Mistake keys_and_units[] = {
     {"NegativeAirEntry", "residual_saturation: 0\n", "residual_saturation: 0\n      air_entry: -1 cm\n",
      "soils.sandy_clay.retention.air_entry", "must be at least 0 m, got -1 cm", 1},
     {"KeyGivenTwice", "porosity: 0.35\n", "porosity: 0.35\n    porosity: 0.4\n", "soils.sandy_clay.porosity",
-     "given twice, first in line 30; keep one", 1},
+     "given twice, first in line 31; keep one", 1},
     {"MissingKey", "    porosity: 0.35\n", "", "soils.sandy_clay.porosity",
      R"(missing; write for example "porosity: 0.35")", -3},
     {"MissingUnit", "youngs_modulus: 10 MPa", "youngs_modulus: 10", "soils.sandy_clay.youngs_modulus",
@@ -326,6 +326,10 @@ const Mistake places[] = {
     {"WaterTableInTheAir", "water_table: 3 m", "water_table: 7 m", "initial.water.water_table",
      R"(stands 2 m above the ground at x = 0.125 m; add a reservoir of that level with "initial: true" to )"
      "water_boundaries, or lower it"},
+    {"WaterTableLineInTheAir", "type: hydrostatic, water_table: 3 m",
+     "type: water_table, points: [[0 m, 3 m], [36 m, 16 m]]", "initial.water.points",
+     R"(stands 0.302083 m above the ground at x = 6.375 m; add a reservoir of that level with "initial: true" to )"
+     "water_boundaries, or lower it"},
     {"TooManySnapshots", "snapshot_interval: 1 min", "snapshot_interval: 1e-3 s", "output.snapshot_interval",
      "makes 2.4e+06 particle files until stop.time = 2400 s, at most 10000 are possible; choose 0.24 s or more"},
     {"TooManyRows", "history_interval: 1 s", "history_interval: 1e-6 s", "output.history_interval",
@@ -439,6 +443,38 @@ TEST(CaseProblems, AFileThatCannotBeReadIsAFileError) {
     (void)read_case(folder.path() / "none.yaml");
   } catch (const FileError& error) {
     EXPECT_EQ(error.what(), (folder.path() / "none.yaml").string() + ": cannot be read: No such file or directory");
+  }
+}
+
+/// Water above the ground is held by a reservoir of that level or by a pressure there, whatever moves.
+TEST(WaterTable, AboveTheGroundIsHeldOrRefused) {
+  const auto problems = [](const std::string& water, const std::string& boundary, const std::string& scheme) {
+    std::vector<std::string> keys;
+    try {
+      (void)read_case(shipped_cases() / "paper/slope-w2.yaml",
+                      {"initial.water=" + water, "water_boundaries=[" + boundary + "]", "coupling.scheme=" + scheme});
+    } catch (const InputError& error) {
+      for (const Problem& problem : error.problems()) keys.push_back(problem.key);
+    }
+    return keys;
+  };
+  using Keys = std::vector<std::string>;
+  const std::string level = "{type: hydrostatic, water_table: 7 m}";
+  const std::string line = "{type: water_table, points: [[0 m, 7 m], [36 m, 7 m]]}";
+  const std::string uniform = "{type: uniform, pressure: 15 kPa}";
+  const std::string lake = "{name: lake, at: free_surface, initial: true, reservoir: {level: ";
+  const std::string ground = "{name: ground, at: ground_surface, ";
+  for (const std::string scheme : {"semi_implicit", "seepage"}) {
+    for (const auto& [water, key] : {std::pair(level, "water_table"), std::pair(line, "points")}) {
+      EXPECT_EQ(problems(water, "", scheme), Keys{std::string("initial.water.") + key});
+      EXPECT_EQ(problems(water, lake + "7 m}}", scheme), Keys{});
+      EXPECT_EQ(problems(water, lake + "6 m}}", scheme).size(), 1u) << "a lower lake";
+      EXPECT_EQ(problems(water, ground + "total_head: 7 m}", scheme), Keys{});
+      EXPECT_EQ(problems(water, ground + "pressure: 0 kPa}", scheme).size(), 1u);
+    }
+    EXPECT_EQ(problems(uniform, "", scheme), Keys{"initial.water.pressure"});
+    EXPECT_EQ(problems(uniform, ground + "pressure: 0 kPa}", scheme), Keys{}) << "consolidation";
+    EXPECT_EQ(problems("{type: uniform, pressure: -15 kPa}", "", scheme), Keys{});
   }
 }
 

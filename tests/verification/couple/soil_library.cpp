@@ -19,12 +19,11 @@ TEST_P(SoilLibrary, TakesRainAndDries) {
   const std::string cases = SLOPE_CASES_DIR;
   couple::Simulation simulation = start_shipped_case(
       "quick.yaml",
-      {"domain.surface_particles=clipped",
-       "soils.silty_sand={from: " + cases + "/soils.yaml, soil: " + soil +
+      {"soils.silty_sand={from: " + cases + "/soils.yaml, soil: " + soil +
            ", youngs_modulus: 10 MPa, poissons_ratio: 0.33, grain_density: 2.7 g/cm3, strength: {model: elastic}}",
        "initial.water.maximum_suction=30 kPa",
        "water_boundaries=[{name: rain, at: free_surface, rain: {hyetograph: [[0 h, 50 mm/h], [3 h, 0 mm/h], [4 h, -5 "
-       "mm/d]]}}, {name: ditch, at: left, to: 0.5 m, total_head: 0.5 m, applied_to: face}]",
+       "mm/d]]}}, {name: ditch, at: left, to: 0.5 m, total_head: 0.5 m}]",
        "coupling.scheme=" + scheme, "stop={time: 8 h}", "output.history_interval=1 h"});
   run(simulation, [](const couple::ParticleTable&) {});
   const couple::WaterBudget water = simulation.summary().water;

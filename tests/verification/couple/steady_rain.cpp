@@ -25,7 +25,7 @@ couple::Simulation rained_column(const std::string& rain_text) {
        "soils.sand.retention={model: exponential, alpha: 10 1/m, residual_saturation: 0.15, maximum_saturation: 1}",
        "soils.sand.relative_permeability={model: exponential, alpha: 10 1/m}",
        "initial.water={type: steady, water_table: 0 m}",
-       "water_boundaries=[{name: outlet, at: base, total_head: 0 m, applied_to: face, initial: true}, {name: rain, at: "
+       "water_boundaries=[{name: outlet, at: base, total_head: 0 m, initial: true}, {name: rain, at: "
        "free_surface, initial: true, rain: {" +
            rain_text + "}}]",
        "coupling.scheme=seepage", "stop.time=10 h", "output.history_interval=1 h"});

@@ -26,7 +26,7 @@ struct Domain {
   Point upper{0.0, 0.0};       ///< upper right corner (m); each side a whole number of cells
   double cell_size = 0.0;      ///< (m), > 0
   int particles_per_cell = 4;  ///< 1, 4, 9 or 16: a square lattice in each cell
-  SurfaceParticles surface_particles = SurfaceParticles::lattice;
+  SurfaceParticles surface_particles = SurfaceParticles::clipped;
 };
 
 enum class Wall { free, roller, fixed, friction, absorbing };
@@ -111,7 +111,7 @@ struct TimeSeries {
 struct PrescribedPressure {
   TimeSeries pressure;                   ///< P_w at the particle or face (Pa)
   std::optional<TimeSeries> total_head;  ///< if given, h = P_w/gamma_w + y (m) is prescribed instead
-  bool at_face = false;                  ///< true: at the face half a spacing outside the particle
+  bool at_face = true;                   ///< false: in the particle, half a spacing inside the ground
 };
 /// A flux into the soil per area of the particles' face (m/s), positive inwards.
 struct PrescribedFlux {

@@ -25,6 +25,10 @@ struct InitialParticles {
 ///   to the neighbour that it touches. Where soils meet, a square belongs to the one with the largest share of it.
 [[nodiscard]] InitialParticles fill_regions(const Domain& domain, const std::vector<Region>& regions);
 
+/// The particles that a run of a case starts with. Copies of the case that were moved or turned to their mirror image have
+/// the same particles, moved and mirrored, in the same order.
+[[nodiscard]] InitialParticles first_particles(const Case& input);
+
 /// Particles of a place: the uppermost of each lattice column (ground_surface, free_surface), the lowest (base),
 /// the outermost of each lattice row (left, right); limited to the range.
 [[nodiscard]] std::vector<std::size_t> particles_at(const PlaceRange& where, const InitialParticles& particles);
