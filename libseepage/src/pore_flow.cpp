@@ -29,6 +29,7 @@ PoreFlow::PoreFlow(std::vector<Soil> soils, const Water& water, std::span<const 
     v->assign(n, 0.0);
   }
   is_held_.assign(n, 0);
+  operator_.set_soils(soil_, {soils_.begin(), soils_.end()});
   evaluate_soil();
   follow(skeleton);
   for (std::size_t p = 0; p < n; ++p) content_[p] = water_of(p, skeleton);
