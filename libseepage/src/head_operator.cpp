@@ -93,15 +93,18 @@ double HeadOperator::seam_distance(std::size_t p, std::size_t q) const {
   return std::max(std::sqrt(nearest) - 0.5 * spacing_, least_distance * spacing_);
 }
 
+SeamLeg HeadOperator::leg(std::size_t p, double share, double drop) const {
+  const ConductivityCurve& curve = curves_[soil_[p]];
+  const auto [conductivity, pressure_head] = conductivity_[p];
+  return {{conductivity, pressure_head, curve.at(pressure_head).potential}, &curve, share, share * drop};
+}
+
 SeamLeg HeadOperator::first_leg(const Seam& seam) const {
-  const std::size_t p = seam.first;
-  return {conductivity_[p], &curves_[soil_[p]], seam.share, seam.share * (y_weighted_[p] - y_weighted_[seam.second])};
+  return leg(seam.first, seam.share, y_weighted_[seam.first] - y_weighted_[seam.second]);
 }
 
 SeamLeg HeadOperator::second_leg(const Seam& seam) const {
-  const std::size_t q = seam.second;
-  return {conductivity_[q], &curves_[soil_[q]], 1.0 - seam.share,
-          (1.0 - seam.share) * (y_weighted_[q] - y_weighted_[seam.first])};
+  return leg(seam.second, 1.0 - seam.share, y_weighted_[seam.second] - y_weighted_[seam.first]);
 }
 
 void HeadOperator::set_conductivity(std::span<const double> conductivity, std::span<const double> pressure_head) {

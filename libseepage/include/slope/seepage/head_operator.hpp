@@ -72,6 +72,7 @@ class HeadOperator {
   void find_pair_factors(const Skeleton& skeleton);
   void find_seams();
   [[nodiscard]] double seam_distance(std::size_t p, std::size_t q) const;
+  [[nodiscard]] SeamLeg leg(std::size_t p, double share, double drop) const;
   [[nodiscard]] SeamLeg first_leg(const Seam& seam) const;
   [[nodiscard]] SeamLeg second_leg(const Seam& seam) const;
 

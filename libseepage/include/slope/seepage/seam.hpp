@@ -7,7 +7,7 @@ namespace slope::seepage {
 
 /// The part of a straight path that lies in one soil: from an end to the seam where the other soil begins.
 struct SeamLeg {
-  ConductivityAt end;                        ///< of the path
+  PotentialAt end;                           ///< of the path
   const ConductivityCurve* curve = nullptr;  ///< of the leg's soil
   double share = 0.5;                        ///< of the path's length (-), in (0, 1)
   double drop = 0.0;                         ///< height of the end above the seam (m), any sign
