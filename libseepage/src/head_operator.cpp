@@ -12,6 +12,8 @@ namespace {
 
 // Share of the spacing by which a particle may move before the pair factors are worked out anew.
 constexpr double follow_distance = 0.01;
+// Distance of a particle from a seam at least, over the spacing; half of it in a lattice.
+constexpr double least_distance = 0.25;
 
 }  // namespace
 
@@ -21,6 +23,11 @@ HeadOperator::HeadOperator(double spacing, double smoothing_ratio, const MirrorW
       walls_(walls),
       threads_(threads),
       lattice_scale_(lattice_scale(kernel_, spacing)) {}
+
+void HeadOperator::set_soils(std::span<const std::uint16_t> soil, std::vector<ConductivityCurve> curves) {
+  soil_.assign(soil.begin(), soil.end());
+  curves_ = std::move(curves);
+}
 
 bool HeadOperator::update(const Skeleton& skeleton) {
   const std::size_t n = skeleton.size();
@@ -35,6 +42,7 @@ bool HeadOperator::update(const Skeleton& skeleton) {
   neighbours_ = find_neighbours(skeleton.x, skeleton.y, kernel_.support(), threads_);
   find_images(skeleton, neighbours_, walls_, kernel_, lattice_scale_, images_);
   find_pair_factors(skeleton);
+  if (curves_.size() > 1) find_seams();
   return true;
 }
 
@@ -42,7 +50,7 @@ void HeadOperator::find_pair_factors(const Skeleton& skeleton) {
   const std::size_t n = skeleton.size();
   const MomentCorrection correction(images_, skeleton.volume, share_, kernel_, spacing_, threads_);
   factor_.assign(neighbours_.index.size(), 0.0);
-  conductance_.resize(factor_.size());
+  conductance_.assign(factor_.size(), 0.0);
   diagonal_.resize(n);
   conductivity_.resize(n);
 #pragma omp parallel for schedule(static) num_threads(threads_) if (threads_ > 1)
@@ -56,28 +64,87 @@ void HeadOperator::find_pair_factors(const Skeleton& skeleton) {
   }
 }
 
+// Takes the pairs across seams out of factor_.
+void HeadOperator::find_seams() {
+  seams_.clear();
+  seam_at_.resize(neighbours_.index.size());
+  for (std::uint32_t p = 0; p < neighbours_.size(); ++p) {
+    for (std::size_t s = neighbours_.start[p]; s < neighbours_.start[p + 1]; ++s) {
+      const std::uint32_t q = neighbours_.index[s];
+      if (q < p || soil_[p] == soil_[q]) continue;
+      const auto row = neighbours_.of(q);
+      const auto back = neighbours_.start[q] + static_cast<std::size_t>(std::ranges::lower_bound(row, p) - row.begin());
+      const double here = seam_distance(p, q), there = seam_distance(q, p);
+      seam_at_[s] = seam_at_[back] = static_cast<std::uint32_t>(seams_.size());
+      seams_.push_back({p, q, s, back, factor_[s], here / (here + there), {}});
+      factor_[s] = factor_[back] = 0.0;
+    }
+  }
+}
+
+// Distance of p from the seam on the way to q, a particle of another soil.
+double HeadOperator::seam_distance(std::size_t p, std::size_t q) const {
+  const double to_x = x_weighted_[q] - x_weighted_[p], to_y = y_weighted_[q] - y_weighted_[p];
+  double nearest = to_x * to_x + to_y * to_y;
+  for (const std::uint32_t r : neighbours_.of(p)) {
+    const double dx = x_weighted_[r] - x_weighted_[p], dy = y_weighted_[r] - y_weighted_[p];
+    if (soil_[r] == soil_[q] && dx * to_x + dy * to_y > 0.0) nearest = std::min(nearest, dx * dx + dy * dy);
+  }
+  return std::max(std::sqrt(nearest) - 0.5 * spacing_, least_distance * spacing_);
+}
+
+SeamLeg HeadOperator::leg(std::size_t p, double share, double drop) const {
+  const ConductivityCurve& curve = curves_[soil_[p]];
+  const auto [conductivity, pressure_head] = conductivity_[p];
+  return {{conductivity, pressure_head, curve.at(pressure_head).potential}, &curve, share, share * drop};
+}
+
+SeamLeg HeadOperator::first_leg(const Seam& seam) const {
+  return leg(seam.first, seam.share, y_weighted_[seam.first] - y_weighted_[seam.second]);
+}
+
+SeamLeg HeadOperator::second_leg(const Seam& seam) const {
+  return leg(seam.second, 1.0 - seam.share, y_weighted_[seam.second] - y_weighted_[seam.first]);
+}
+
 void HeadOperator::set_conductivity(std::span<const double> conductivity, std::span<const double> pressure_head) {
   for (std::size_t p = 0; p < diagonal_.size(); ++p) {
     conductivity_[p] = {conductivity[p], pressure_head.empty() ? 0.0 : pressure_head[p]};
   }
 #pragma omp parallel for schedule(static) num_threads(threads_) if (threads_ > 1)
+  for (std::size_t k = 0; k < seams_.size(); ++k) {
+    Seam& seam = seams_[k];
+    seam.mean = seam_mean(first_leg(seam), second_leg(seam), seam.mean.pressure_head);
+    conductance_[seam.place] = conductance_[seam.back] = seam.factor * seam.mean.conductivity;
+  }
+#pragma omp parallel for schedule(static) num_threads(threads_) if (threads_ > 1)
   for (std::size_t p = 0; p < diagonal_.size(); ++p) {
     double sum = 0.0;
     for (std::size_t s = neighbours_.start[p]; s < neighbours_.start[p + 1]; ++s) {
-      const std::size_t q = neighbours_.index[s];
-      const auto [first, second] = std::minmax(p, q);  // the same for both particles, to the last digit
-      conductance_[s] = factor_[s] * mean_conductivity(conductivity_[first], conductivity_[second],
-                                                       y_weighted_[first] - y_weighted_[second]);
+      if (factor_[s] != 0.0) {
+        const std::size_t q = neighbours_.index[s];
+        const auto [first, second] = std::minmax(p, q);  // the same for both particles, to the last digit
+        conductance_[s] = factor_[s] * mean_conductivity(conductivity_[first], conductivity_[second],
+                                                         y_weighted_[first] - y_weighted_[second]);
+      }
       sum += conductance_[s];
     }
     diagonal_[p] = sum;
   }
 }
 
-double HeadOperator::conductance_slope(std::size_t p, std::size_t s, double conductivity_slope) const {
+double HeadOperator::flow_slope(std::size_t p, std::size_t s, double slope, double fall) const {
   const std::size_t q = neighbours_.index[s];
-  return factor_[s] * mean_conductivity_slope(conductivity_[p], conductivity_[q], y_weighted_[p] - y_weighted_[q],
-                                              conductivity_slope);
+  if (!soil_.empty() && soil_[p] != soil_[q]) {
+    const Seam& seam = seams_[seam_at_[s]];
+    const bool from_first = p == seam.first;
+    const double reach = from_first ? seam.mean.first_reach : 1.0 - seam.mean.first_reach;
+    return seam.factor *
+           (seam_flow_slope(from_first ? first_leg(seam) : second_leg(seam), seam.mean.pressure_head, reach, slope) -
+            seam.mean.conductivity);
+  }
+  return factor_[s] * fall *
+         mean_conductivity_slope(conductivity_[p], conductivity_[q], y_weighted_[p] - y_weighted_[q], slope);
 }
 
 void HeadOperator::apply(std::span<const double> head, std::span<double> outflow) const {

@@ -48,6 +48,54 @@ double mean_of_unlike(const ConductivityAt& a, const ConductivityAt& b, double d
   return b.conductivity * phi(d + x) / phi(x);
 }
 
+ConductivityAt without_potential(const PotentialAt& end) {
+  return {end.conductivity, end.pressure_head};
+}
+
+// Of the difference of two conductivities: 0 where they are so alike that the short formula holds, 1 where it does not.
+double share_of_unlike(double a, double b) {
+  const double sum = a + b;
+  return std::clamp(2.0 * std::abs(a - b) / (0.5 * alike * sum) - 1.0, 0.0, 1.0);
+}
+
+// With G the exponential's mean, L its level mean, W the limit to which it tends and M the level mean of the true curve
+// it is W - (W - M) (W - G) / (W - L).
+struct TrueMean {
+  TrueMean(const PotentialAt& a, const PotentialAt& b, double drop)
+      : more(a.conductivity - b.conductivity),
+        fall(a.pressure_head - b.pressure_head),
+        gain(a.potential - b.potential),
+        d(std::log(a.conductivity / b.conductivity)),
+        x(std::clamp(drop * more / gain, -longest, longest)),
+        follows_first((more > 0.0) == (x > 0.0)),
+        exponential(b.conductivity * phi(d + x) / phi(x)),
+        exponential_level(more / d),
+        level(gain / fall),
+        limit(follows_first ? a.conductivity : b.conductivity),
+        ratio((limit - exponential) / (limit - exponential_level)) {}
+
+  [[nodiscard]] double value() const { return limit - (limit - level) * ratio; }
+
+  // Over the pressure head at a.
+  [[nodiscard]] double slope_at(const PotentialAt& a, double slope) const {
+    const double over_d = slope / a.conductivity;
+    const double over_x = std::abs(x) < longest ? x * (slope / more - a.conductivity / gain) : 0.0;
+    const double over_exponential =
+        exponential * (log_phi_slope(d + x) * (over_d + over_x) - log_phi_slope(x) * over_x);
+    const double over_exponential_level = (slope - exponential_level * over_d) / d;
+    const double over_level = (a.conductivity - level) / fall;
+    const double over_limit = follows_first ? slope : 0.0;
+    const double over_ratio =
+        (over_limit - over_exponential - ratio * (over_limit - over_exponential_level)) / (limit - exponential_level);
+    return over_limit - (over_limit - over_level) * ratio - (limit - level) * over_ratio;
+  }
+
+  double more, fall, gain;  // of the conductivity, the pressure head and the potential from b to a
+  double d, x;
+  bool follows_first;
+  double exponential, exponential_level, level, limit, ratio;
+};
+
 }  // namespace
 
 double mean_conductivity(const ConductivityAt& a, const ConductivityAt& b, double drop) {
@@ -68,6 +116,19 @@ double mean_conductivity_slope(const ConductivityAt& a, const ConductivityAt& b,
   const double over_d = both * (1.0 + length.over_d) - rest * length.over_d;
   const double over_fall = length.over_d != 0.0 ? -(both - rest) * length.x / fall : 0.0;
   return mean_conductivity(a, b, drop) * (over_d * slope / a.conductivity + over_fall);
+}
+
+double mean_conductivity(const PotentialAt& a, const PotentialAt& b, double drop) {
+  const double share = share_of_unlike(a.conductivity, b.conductivity);
+  const double of_alike = share < 1.0 ? mean_of_alike(without_potential(a), without_potential(b), drop) : 0.0;
+  return share > 0.0 ? share * TrueMean(a, b, drop).value() + (1.0 - share) * of_alike : of_alike;
+}
+
+double mean_conductivity_slope(const PotentialAt& a, const PotentialAt& b, double drop, double slope) {
+  const double share = share_of_unlike(a.conductivity, b.conductivity);
+  const double of_alike =
+      share < 1.0 ? mean_conductivity_slope(without_potential(a), without_potential(b), drop, slope) : 0.0;
+  return share > 0.0 ? share * TrueMean(a, b, drop).slope_at(a, slope) + (1.0 - share) * of_alike : of_alike;
 }
 
 }  // namespace slope::seepage

@@ -5,6 +5,18 @@
 
 namespace slope::seepage {
 
+namespace {
+
+// How much further than asked for conjugate gradients reduce a residual, which they weigh by the diagonal: what much
+// more permeable soils lack of water counts for too little beside the others.
+double tolerance_share_of(const std::vector<Soil>& soils) {
+  constexpr double tolerable = 1.0e-3;
+  const auto [least, most] = std::ranges::minmax(soils, {}, &Soil::hydraulic_conductivity);
+  return std::min(1.0, std::sqrt(least.hydraulic_conductivity / (tolerable * most.hydraulic_conductivity)));
+}
+
+}  // namespace
+
 SeepageError::SeepageError(std::size_t at, const std::string& name, double bad)
     : std::runtime_error("particle " + std::to_string(at) + ": " + name + " is " + std::to_string(bad)),
       particle(at),
@@ -19,6 +31,7 @@ PoreFlow::PoreFlow(std::vector<Soil> soils, const Water& water, std::span<const 
       operator_(settings.spacing, settings.smoothing_ratio, settings.walls, settings.threads),
       soil_(soil.begin(), soil.end()),
       particles_of_soil_(soils_.size()),
+      tolerance_share_(tolerance_share_of(soils_)),
       pressure_(pressure.begin(), pressure.end()) {
   const std::size_t n = pressure_.size();
   for (std::size_t p = 0; p < n; ++p) particles_of_soil_[soil_[p]].push_back(static_cast<std::uint32_t>(p));
@@ -29,6 +42,7 @@ PoreFlow::PoreFlow(std::vector<Soil> soils, const Water& water, std::span<const 
     v->assign(n, 0.0);
   }
   is_held_.assign(n, 0);
+  operator_.set_soils(soil_, {soils_.begin(), soils_.end()});
   evaluate_soil();
   follow(skeleton);
   for (std::size_t p = 0; p < n; ++p) content_[p] = water_of(p, skeleton);

@@ -61,7 +61,7 @@ void PoreFlow::assemble(double time_step, bool lagged) {
         continue;
       }
       // what p's pressure changes in the flow from p to q
-      const double more = lagged ? 0.0 : flow_scale * operator_.conductance_slope(p, s, slope) * (head_[p] - head_[q]);
+      const double more = lagged ? 0.0 : flow_scale * operator_.flow_slope(p, s, slope, head_[p] - head_[q]);
       value[k] = is_held_[p] != 0 || is_held_[q] != 0 ? 0.0 : -flow_scale * conductance[s] - more;
       own += more;
       ++s;

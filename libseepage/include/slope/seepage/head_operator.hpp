@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -8,6 +9,7 @@
 #include "slope/seepage/kernel.hpp"
 #include "slope/seepage/mean_conductivity.hpp"
 #include "slope/seepage/neighbours.hpp"
+#include "slope/seepage/seam.hpp"
 #include "slope/seepage/skeleton.hpp"
 
 namespace slope::seepage {
@@ -20,11 +22,16 @@ namespace slope::seepage {
 /// q; a uniform head does not flow. g_pq = 2 V_p V_q F_pq c_pq, F = -W'/r, with a MomentCorrection c that makes
 /// conduction exact in all directions on any lattice, and linear heads flow without residual, up to a free surface.
 /// At walls the mirror images of the neighbours are part of the sums, which
-/// makes the wall impermeable.
+/// makes the wall impermeable. Between particles of two soils K_pq is seam_mean(): the seam divides the path as the
+/// distances of p and q from the other soil's nearest particle do, each less half a spacing. Under a head that is
+/// linear in each of two layers a pair across their seam then conducts what a pair in one soil does.
 class HeadOperator {
  public:
   /// @param spacing  particle spacing (m); @param smoothing_ratio  smoothing length over spacing (-)
   HeadOperator(double spacing, double smoothing_ratio, const MirrorWalls& walls, int threads);
+
+  /// Tells soils apart; without it all particles are of one. @param soil  index into `curves` of each particle
+  void set_soils(std::span<const std::uint16_t> soil, std::vector<ConductivityCurve> curves);
 
   /// Follows the particles; works the pair factors out anew when one has moved by more than a hundredth of the
   /// spacing since the last time. @return whether it did.
@@ -43,16 +50,31 @@ class HeadOperator {
   /// Conductance of each pair (m/s), in the order of neighbours().index.
   [[nodiscard]] std::span<const double> conductance() const { return conductance_; }
 
-  /// How the conductance of the pair that stands in place s of neighbours().index changes with the pressure head of its
-  /// first particle p (1/s), whose conductivity has a slope over it (1/s).
-  [[nodiscard]] double conductance_slope(std::size_t p, std::size_t s, double conductivity_slope) const;
+  /// By how much more than its conductance (m/s) the flow from particle p through the pair that stands in place s of
+  /// neighbours().index changes with the pressure head of p. @param slope  of the conductivity of p over it (1/s);
+  /// @param fall  of the head from p to its neighbour (m)
+  [[nodiscard]] double flow_slope(std::size_t p, std::size_t s, double slope, double fall) const;
 
   /// Gradient (per metre) of a particle field, exact for linear fields; mirror images continue it evenly over walls.
   void gradient(std::span<const double> field, const Skeleton& skeleton, std::span<double> dx,
                 std::span<double> dy) const;
 
  private:
+  // A pair across a seam, which stands in two places of neighbours_.index.
+  struct Seam {
+    std::uint32_t first, second;  // particles, first < second
+    std::size_t place, back;      // of the second among the neighbours of the first, and the other way round
+    double factor;                // g_pq
+    double share;                 // of the path that lies in the soil of the first
+    SeamMean mean;
+  };
+
   void find_pair_factors(const Skeleton& skeleton);
+  void find_seams();
+  [[nodiscard]] double seam_distance(std::size_t p, std::size_t q) const;
+  [[nodiscard]] SeamLeg leg(std::size_t p, double share, double drop) const;
+  [[nodiscard]] SeamLeg first_leg(const Seam& seam) const;
+  [[nodiscard]] SeamLeg second_leg(const Seam& seam) const;
 
   double spacing_;
   WendlandC2 kernel_;
@@ -63,10 +85,14 @@ class HeadOperator {
   Images images_;
   std::vector<double> share_;  // volume of each particle at the first update over the square of the spacing
   std::vector<double> x_weighted_, y_weighted_;  // positions when the pair factors were worked out
-  std::vector<double> factor_;                   // g_pq
+  std::vector<double> factor_;                   // g_pq; 0 across seams
   std::vector<double> conductance_;              // g_pq K_pq
   std::vector<ConductivityAt> conductivity_;     // of the particles
   std::vector<double> diagonal_;
+  std::vector<std::uint16_t> soil_;  // empty: one soil
+  std::vector<ConductivityCurve> curves_;
+  std::vector<Seam> seams_;
+  std::vector<std::uint32_t> seam_at_;  // which of them stands in a place of neighbours_.index; only where factor_ is 0
 };
 
 }  // namespace slope::seepage

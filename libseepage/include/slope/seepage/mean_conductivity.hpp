@@ -26,4 +26,20 @@ struct ConductivityAt {
 [[nodiscard]] double mean_conductivity_slope(const ConductivityAt& a, const ConductivityAt& b, double drop,
                                              double slope);
 
+/// Conductivity k k_rw (m/s), > 0, pressure head (m) and matric flux potential (m2/s, the integral of the conductivity
+/// over the pressure head, from anywhere) at one end of a path.
+struct PotentialAt {
+  double conductivity = 0.0;
+  double pressure_head = 0.0;
+  double potential = 0.0;
+};
+
+/// The same mean in soil whose curve is known between the ends. Level it is exact, the fall of the potential over that
+/// of the pressure (Kirchhoff's transformation): ends of which one lies where the curve is flat and the other where it
+/// is steep are far from an exponential. With gravity it keeps, between that and the conductivity of the end to which
+/// the mean tends on a long way down or up, the place that the exponential has, whose length 1/alpha is then the fall
+/// of the potential over that of the conductivity.
+[[nodiscard]] double mean_conductivity(const PotentialAt& a, const PotentialAt& b, double drop);
+[[nodiscard]] double mean_conductivity_slope(const PotentialAt& a, const PotentialAt& b, double drop, double slope);
+
 }  // namespace slope::seepage

@@ -172,6 +172,7 @@ class PoreFlow {
   HeadOperator operator_;
   std::vector<std::uint16_t> soil_;
   std::vector<std::vector<std::uint32_t>> particles_of_soil_;
+  double tolerance_share_;  // of the tolerance that solve() is given
 
   std::vector<double> pressure_, suction_, saturation_, pore_stress_;
   std::vector<double> capacity_;              // dS_r/dP_w (1/Pa)

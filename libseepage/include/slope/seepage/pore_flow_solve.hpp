@@ -78,6 +78,7 @@ SolveReport PoreFlow::solve(double time_step, const Skeleton& skeleton, std::spa
   };
   std::fill(change_.begin(), change_.end(), 0.0);
   SolveReport report;
+  tolerance *= tolerance_share_;
   const double tolerable = tolerance * std::sqrt(blocked_dot(right_side_, right_side_, settings_.threads));
   for (int pass = 0; pass < most_passes; ++pass) {
     const double reduction = pass == 0 ? tolerance : std::min(tolerance, tolerance * offset_share());

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "slope/seepage/soil.hpp"
+
+namespace slope::seepage {
+
+/// The conductivity k k_rw of a soil over the pressure head, and its integral, from a table: for where they are wanted
+/// at a pressure that no particle has, many times in a step. Its entries lie sixteen to a factor of e of suction;
+/// between them the logarithm of the conductivity is cubic, and it is within 1e-4 of the soil's own laws.
+class ConductivityCurve {
+ public:
+  struct Value {
+    double conductivity = 0.0;  ///< k k_rw (m/s), > 0
+    double slope = 0.0;         ///< over the pressure head (1/s), >= 0
+    double potential = 0.0;  ///< matric flux potential: the conductivity's integral over the pressure head, from that
+                             ///< of very dry soil on (m2/s)
+  };
+
+  explicit ConductivityCurve(const Soil& soil);
+
+  /// @param pressure_head  P_w / gamma_w (m), any sign
+  [[nodiscard]] Value at(double pressure_head) const;
+  /// Conductivity of the saturated soil (m/s).
+  [[nodiscard]] double saturated() const { return saturated_; }
+
+ private:
+  void integrate();
+  [[nodiscard]] double log_between(std::size_t i, double t) const;
+  [[nodiscard]] double potential_between(std::size_t i, double t) const;
+
+  double saturated_;
+  double wet_;    // suction head up to which the soil conducts like saturated soil (m)
+  double first_;  // suction head of the first entry (m), > wet_ or equal
+  double first_log_;
+  double wet_potential_ = 0.0;  // at wet_
+  // ln K and its slope; the potential, its slope and curvature; all over the number of the entry
+  std::vector<double> log_, slope_, potential_, potential_slope_, potential_curvature_;
+};
+
+}  // namespace slope::seepage
