@@ -152,6 +152,11 @@ void BoundaryConditions::apply_initial(const Mixture& mixture, Actions& actions)
   add_seepage_faces(true, mixture, actions);
 }
 
+std::array<double, 2> BoundaryConditions::standing_acceleration() const {
+  if (seismic_.start > 0.0 || seismic_.ramp > 0.0) return {0.0, 0.0};
+  return {gravity_ * seismic_.horizontal_coefficient, gravity_ * seismic_.vertical_coefficient};
+}
+
 double BoundaryConditions::next_change(double time) const {
   double next = never;
   const auto look_at = [&](const auto& points) {

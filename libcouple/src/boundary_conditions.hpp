@@ -23,6 +23,8 @@ class BoundaryConditions {
   void apply(double time, const Mixture& mixture, Actions& actions);
   /// What holds before the start: the conditions marked `initial`, at their full value.
   void apply_initial(const Mixture& mixture, Actions& actions);
+  /// Body acceleration (m/s2) of an earthquake that acts in full from the start on, else none.
+  [[nodiscard]] std::array<double, 2> standing_acceleration() const;
   /// Pressures from which ramps start.
   void remember_pressures(std::span<const double> pressure) {
     first_pressure_.assign(pressure.begin(), pressure.end());

@@ -406,8 +406,10 @@ Format<Traction> traction_format() {
 Format<Seismic> seismic_format() {
   Record<Seismic> record;
   record
-      .optional("horizontal_coefficient", &Seismic::horizontal_coefficient, quantity(Dimension::number),
-                "k_h, horizontal body force on soil and water over their weight, positive towards +x")
+      .optional(
+          "horizontal_coefficient", &Seismic::horizontal_coefficient, quantity(Dimension::number),
+          "k_h, horizontal body force on soil and water over their weight, positive towards +x; without start and "
+          "ramp it is in the initial stress")
       .optional("vertical_coefficient", &Seismic::vertical_coefficient, quantity(Dimension::number),
                 "k_v, vertical body force over the weight, positive upwards");
   add_times(record, itself);

@@ -126,6 +126,14 @@ double find_k0_stress(Mixture& mixture, const Actions& actions, const SlopeScale
   return unbalanced;
 }
 
+void add_standing_acceleration(Mixture& mixture, Actions actions, std::array<double, 2> acceleration,
+                               const SlopeScale& scale, double time_step) {
+  if (acceleration == std::array{0.0, 0.0}) return;
+  actions.body_acceleration = acceleration;
+  find_balance(mixture, actions, scale, time_step, true);
+  mixture.soil.stop();
+}
+
 std::optional<double> friction_angle_of(const solid::Strength& strength) {
   return std::visit(
       [](const auto& law) -> std::optional<double> {

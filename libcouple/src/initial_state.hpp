@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 #include <vector>
@@ -27,6 +28,11 @@ double find_self_weight_stress(Mixture& mixture, const Actions& actions, const S
 /// @param spacing  of the particles at the start (m)
 double find_k0_stress(Mixture& mixture, const Actions& actions, const SlopeScale& scale, double time_step,
                       double spacing, std::span<const double> k0);
+
+/// The stress under a body acceleration (m/s2) that acts from the start on, after that of the weight alone: as if it had
+/// grown slowly. Soil that it moves has the stress of its steady motion.
+void add_standing_acceleration(Mixture& mixture, Actions actions, std::array<double, 2> acceleration,
+                               const SlopeScale& scale, double time_step);
 
 /// phi' at zero suction (rad); none if the strength has no friction.
 [[nodiscard]] std::optional<double> friction_angle_of(const solid::Strength& strength);

@@ -288,6 +288,9 @@ void Simulation::State::find_initial_state() {
     s.result.initial_unbalanced_ratio =
         find_k0_stress(s.mixture, before, s.scale, step, s.particles.spacing, k0_of_soils(s.input));
   }
+  if (needs_stress && s.input.initial_stress != InitialStress::none) {
+    add_standing_acceleration(s.mixture, before, s.conditions.standing_acceleration(), s.scale, step);
+  }
   s.mixture.soil.release_walls(s.mixture.water_mass());
   s.first_storage = s.mixture.water.stored_water();
   const std::size_t n = s.particles.x.size();

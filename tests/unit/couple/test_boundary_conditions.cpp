@@ -54,6 +54,9 @@ TEST(BoundaryConditions, AnEarthquakeGrowsOverItsRamp) {
   Actions before;
   acting.conditions.apply_initial(acting.mixture, before);
   EXPECT_EQ(before.body_acceleration, (std::array{0.0, 0.0}));
+  EXPECT_EQ(acting.conditions.standing_acceleration(), (std::array{0.0, 0.0}));
+  Acting standing({"seismic={horizontal_coefficient: 0.2, vertical_coefficient: -0.1}"});
+  EXPECT_EQ(standing.conditions.standing_acceleration(), standing.at(0.0).body_acceleration);
 }
 
 /// Overrides of the quick case (ground at 1 m, face from x = 2.5 m to 7.2 m, crest at 5 m) with a lake on it.

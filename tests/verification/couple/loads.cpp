@@ -67,6 +67,37 @@ TEST(Seismic, ShakesALayerOffItsBase) {
   EXPECT_NEAR(mean_displacement(shaken("0.1")), 0.0, 0.01 * expected) << "sticks";
 }
 
+struct FieldBlock {
+  std::string friction, push, lift, left_end;
+  double way, speed;  // of a rigid block after 1.5 s
+};
+
+// An earthquake that acts in full from the start is in the initial stress: no wave has to bring the friction.
+TEST(Seismic, SlidesABlockFromTheStart) {
+  double way = 0.0, speed = 0.0;
+  for (const FieldBlock& block :
+       {FieldBlock{"0.2", "0.6", "0", "1 m", 4.4145, 5.886}, FieldBlock{"0.5", "0.6", "0", "2 m", 1.1036, 1.4715},
+        FieldBlock{"0.6", "0.7", "0", "2 m", 1.1036, 1.4715}, FieldBlock{"0.4", "0.5", "0.3", "2 m", 2.4280, 3.2373}}) {
+    const std::string left = block.left_end, right = left == "1 m" ? "3 m" : "4 m";
+    const couple::ParticleTable table = end_of(start_case(
+        "ground.yaml",
+        {"domain.upper=[14 m, 3 m]",
+         "geometry.0.polygon=[[" + left + ", 0 m], [" + right + ", 0 m], [" + right + ", 1 m], [" + left + ", 1 m]]",
+         "walls={left: free, right: free, base: friction, base_friction: " + block.friction + "}",
+         "soils.sand.strength={model: elastic}", "soils.sand.poissons_ratio=0.3",
+         "seismic={horizontal_coefficient: " + block.push + ", vertical_coefficient: " + block.lift + "}",
+         "clock.adaptive=false", "stop.time=1.5 s"}));
+    double mean_speed = 0.0;
+    for (const couple::Point& v : table.velocity) mean_speed += v[0] / static_cast<double>(table.velocity.size());
+    way = std::max(way, std::abs(mean_displacement(table) / block.way - 1.0));
+    speed = std::max(speed, std::abs(mean_speed / block.speed - 1.0));
+  }
+  EXPECT_TRUE(record("seismic-slide-blocks-1", "Four blocks under an earthquake from the start: error of the way",
+                     at_most(0.02), way, "%"));
+  EXPECT_TRUE(record("seismic-slide-blocks-2", "Four blocks under an earthquake from the start: error of the speed",
+                     at_most(0.02), speed, "%"));
+}
+
 // Over all particles: largest difference of the horizontal over the vertical effective stress from the ratio asked for.
 double ratio_error(const couple::ParticleTable& table, double ratio) {
   double error = 0.0;

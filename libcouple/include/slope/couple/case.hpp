@@ -149,7 +149,8 @@ struct WaterBoundary {
   bool initial = false;  ///< holds before the start too: in the steady flow, and a reservoir's weight in the stress
 };
 
-/// A pseudo-static earthquake: a body force on soil and water, in shares of their weight.
+/// A pseudo-static earthquake: a body force on soil and water, in shares of their weight. One that acts in full from
+/// the start on is in the initial stress.
 struct Seismic {
   double horizontal_coefficient = 0.0;  ///< k_h (-), positive towards +x
   double vertical_coefficient = 0.0;    ///< k_v (-), positive upwards
