@@ -1,40 +1,14 @@
-// A slope whose factor of safety by a circular search is 1.4 stands; with its strength divided by 1.5 it falls.
+// A slope whose factor of safety by a circular search is 1.4 stands; with its strength divided by 1.5 it falls. An
+// embankment whose factor by published limit equilibrium is below one falls.
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <numbers>
-#include <string>
-
+#include "dry_slope.hpp"
 #include "run_case.hpp"
-#include "slope/testing/circular_search.hpp"
 #include "slope/testing/record.hpp"
 
 namespace slope::testing {
 namespace {
-
-constexpr double cohesion = 4.69e3, friction_angle = 25.0 * std::numbers::pi / 180.0;  // of bracket.yaml
-
-std::vector<std::string> strength_over(double factor) {
-  const double reduced_angle = std::atan(std::tan(friction_angle) / factor) * 180.0 / std::numbers::pi;
-  return {"soils.loam.strength.cohesion=" + std::to_string(cohesion / factor) + " Pa",
-          "soils.loam.strength.friction_angle=" + std::to_string(reduced_angle) + " deg"};
-}
-
-// By Bishop's method, with the geometry and the strength that the simulation has.
-double factor_of_safety(const couple::Simulation& simulation) {
-  const couple::Soil& soil = simulation.input().soils.front();
-  const std::vector<couple::Point>& corners = simulation.input().regions.front().polygon;
-  const auto& strength = std::get<solid::MohrCoulomb>(soil.solid.strength);
-  const double density =
-      (1.0 - soil.porosity) * soil.solid.grain_density + soil.porosity * simulation.input().water.density;
-  return critical_circle({.toe = corners[4], .crest = corners[3], .base = corners[0][1]},
-                         {.unit_weight = density * simulation.input().gravity,
-                          .friction_angle = strength.friction_angle,
-                          .cohesion = [&](double, double) { return strength.cohesion; },
-                          .pore_stress = [](double, double) { return 0.0; }})
-      .factor_of_safety;
-}
 
 TEST(Bracket, StandsWithAFactorOfSafetyOf14) {
   couple::Simulation simulation = start_case("bracket.yaml", strength_over(1.0));
@@ -62,6 +36,16 @@ TEST(Bracket, FallsWithItsStrengthDividedBy15) {
   EXPECT_TRUE(record("bracket-3",
                      "- with c and tan(phi) divided by 1.5 (factor 0.93) it falls: time to a displacement of 30 cm",
                      at_most(4.0), summary.time, "s"));
+}
+
+// Clay that flows at constant volume under an embankment, with three cells in its depth.
+TEST(RoadEmbankment, FailsWithAFactorOfSafetyOf091OnCoarseCells) {
+  couple::Simulation simulation = start_case("road_embankment.yaml");
+  run(simulation, [](const couple::ParticleTable&) {});
+  const couple::Summary summary = simulation.summary();
+  EXPECT_EQ(summary.end_reason, "displacement");
+  EXPECT_TRUE(record("bracket-4", "Road embankment on soft clay, factor 0.91 by Spencer, 5 ft cells: time to 5 cm",
+                     at_most(8.0), summary.time, "s"));
 }
 
 }  // namespace
