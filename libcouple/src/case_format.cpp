@@ -256,8 +256,13 @@ Format<Clock> clock_format() {
 
 Format<Case> failure_format() {
   return Record<Case>()
+      .optional(
+          "onset", &Case::onset, choice<Onset>({{"displacement", Onset::displacement}, {"runaway", Onset::runaway}}),
+          "displacement: when the largest displacement passes onset_displacement; runaway: the kink from which on "
+          "it grew by onset_displacement at five times the mean rate before, without slowing down; both "
+          "times are told, this one drives stop.after_onset, stop.at_rest and the snapshot of the onset")
       .optional("onset_displacement", &Case::onset_displacement, quantity(Dimension::length, above(0.0)),
-                "the slope has failed when the largest displacement passes this")
+                "the slope has failed when the largest displacement passes this; what has moved by more has slid")
       .optional("zone_deviatoric_strain", &Case::failure_zone_strain, quantity(Dimension::number, above(0.0)),
                 "the failure zone is where the deviatoric strain is above this")
       .format();
@@ -271,6 +276,11 @@ Format<Stop> stop_format() {
                 "the run ends when the largest displacement passes this")
       .optional("after_onset", &Stop::after_onset, quantity(Dimension::time, at_least(0.0)),
                 "the run ends this long after the onset of failure")
+      .optional(
+          "at_rest", &Stop::at_rest, flag(),
+          "true: the run ends when the slide has come to rest: over the last third of the time since the onset, and "
+          "five times sqrt(H/g), no particle moved by more than 2 % of what the largest displacement has grown by "
+          "since the onset; soil that creeps on does not rest")
       .format();
 }
 

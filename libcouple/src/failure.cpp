@@ -29,15 +29,13 @@ double deviatoric_strain_of(const solid::Particles& particles, std::size_t p) {
 }
 
 FailureZone find_failure_zone(const solid::Particles& particles, std::span<const double> suction,
-                              const GroundSurface& surface, double spacing, double threshold, double moved) {
+                              const GroundSurface& surface, double spacing, double threshold) {
   FailureZone zone;
   if (!suction.empty()) zone.largest_suction = std::max(0.0, *std::ranges::max_element(suction));
   std::vector<std::size_t> failed;
-  double drift = 0.0;
   for (std::size_t p = 0; p < particles.size(); ++p) {
     if (deviatoric_strain_of(particles, p) <= threshold) continue;
     failed.push_back(p);
-    drift += particles.ux[p] * particles.volume[p];
     zone.area += particles.volume[p];
     zone.depth =
         std::max(zone.depth, surface.depth(particles.x[p] - particles.ux[p], particles.y[p] - particles.uy[p]));
@@ -51,14 +49,6 @@ FailureZone find_failure_zone(const solid::Particles& particles, std::span<const
   zone.lowest = particles.y[*low] - 0.5 * spacing;
   zone.highest = particles.y[*high] + 0.5 * spacing;
   zone.height = zone.highest - zone.lowest;
-  const double direction = drift < 0.0 ? -1.0 : 1.0;
-  double front = -never;
-  for (const std::size_t p : failed) {
-    const double reach = direction * particles.x[p];
-    if (reach <= front || std::hypot(particles.ux[p], particles.uy[p]) <= moved) continue;
-    front = reach;
-    zone.run_out = std::abs(particles.ux[p]);
-  }
   return zone;
 }
 

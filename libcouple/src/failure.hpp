@@ -21,10 +21,8 @@ class GroundSurface {
 };
 
 /// Extent of the particles whose deviatoric strain exceeds `threshold`.
-/// @param moved  displacement (m) above which a particle belongs to the front of the slide
 [[nodiscard]] FailureZone find_failure_zone(const solid::Particles& particles, std::span<const double> suction,
-                                            const GroundSurface& surface, double spacing, double threshold,
-                                            double moved);
+                                            const GroundSurface& surface, double spacing, double threshold);
 
 /// eps_q of a particle (-).
 [[nodiscard]] double deviatoric_strain_of(const solid::Particles& particles, std::size_t p);

@@ -156,10 +156,16 @@ void Frame::turn_back(Summary& summary) const {
     zone.lowest = height(zone.lowest);
     zone.highest = height(zone.highest);
   };
+  const auto turn = [this](Slide& slide) {
+    if (mirrored_) slide.direction = -slide.direction;
+    if (slide.toe) slide.toe = position(*slide.toe);
+  };
   if (summary.onset_time) summary.onset_position = position(summary.onset_position);
   if (summary.zone_at_onset) lift(*summary.zone_at_onset);
   if (summary.zone_at_10_cm) lift(*summary.zone_at_10_cm);
   lift(summary.zone_at_end);
+  if (summary.slide_at_10_cm) turn(*summary.slide_at_10_cm);
+  turn(summary.slide_at_end);
 }
 
 void Frame::turn_back(InitialParticles& particles) const {

@@ -11,6 +11,9 @@
 
 namespace slope::couple {
 
+/// Unbalanced over gravity forces, left by the search for the initial stress, above which the slope does not stand (-).
+inline constexpr double unbalanced_limit = 1.0e-4;
+
 /// Pore pressure of each particle before anything flows (Pa).
 [[nodiscard]] std::vector<double> initial_pressure(const Case& input, const InitialParticles& particles);
 

@@ -11,7 +11,10 @@
 #include "frame.hpp"
 #include "initial_state.hpp"
 #include "mixture.hpp"
+#include "onset.hpp"
+#include "rest.hpp"
 #include "scheme.hpp"
+#include "slide.hpp"
 #include "slope/couple/read_case.hpp"
 #include "slope/solid/tensor.hpp"
 
@@ -23,6 +26,8 @@ constexpr std::array displacement_marks{0.01, 0.02, 0.05, 0.10, 0.30, 1.00};  //
 constexpr double zone_mark = 0.10;   // m: displacement at which the failure zone is reported for comparison
 constexpr int steps_per_call = 200;  // after which advance() returns even if nothing is due
 constexpr double sliver = 1.0e-6;    // share of a step by which two times may differ and be the same
+constexpr double at_once = 10.0;     // first periods after the start in which a slope fails at once
+constexpr double fallen = 0.30;  // m: where a slope that does not stand ends, unless the case says how far it shall go
 
 InitialParticles fill(const Case& input) {
   InitialParticles particles = fill_regions(input.domain, input.regions);
@@ -75,6 +80,9 @@ struct Simulation::State {
         scheme(make_scheme(input)),
         clock(clock_limits(scheme, input, mixture), scale, conditions.change_times()),
         surface(particles, particles_at({}, particles)),
+        ground(input.domain, input.regions),
+        runaway(input.onset_displacement, at_once * scale.period()),
+        rest(std::sqrt(scale.height / scale.gravity)),
         time_step(stable_step(scheme, mixture, input.numerics.courant_number)),
         snapshot_times(input.output.snapshots) {
     for (const VerificationPoint& point : input.points) followed.push_back(nearest_particle(particles, point.position));
@@ -96,7 +104,10 @@ struct Simulation::State {
   [[nodiscard]] WaterBudget water_budget() const;
   void observe_water();
   void observe_displacement();
+  void observe_onset();
   void check_end();
+  [[nodiscard]] bool comes_to_rest();
+  [[nodiscard]] Verdict verdict() const;
   void measure_pressure() {
     result.pressure_checkerboard =
         std::max(result.pressure_checkerboard,
@@ -110,7 +121,10 @@ struct Simulation::State {
   [[nodiscard]] std::string text_of(const solid::SolidError& error) const;
   [[nodiscard]] FailureZone zone() const {
     return find_failure_zone(mixture.soil.particles(), mixture.water.suction(), surface, particles.spacing,
-                             input.failure_zone_strain, input.onset_displacement);
+                             input.failure_zone_strain);
+  }
+  [[nodiscard]] Slide slide() const {
+    return find_slide(mixture.soil.particles(), ground, input.domain, particles.spacing, input.onset_displacement);
   }
 
   Case given;
@@ -123,6 +137,9 @@ struct Simulation::State {
   AnyScheme scheme;
   ClockControl clock;
   GroundSurface surface;
+  GroundLine ground;
+  RunawayWatch runaway;
+  RestWatch rest;
   double time_step;          // of the soil, at most (s)
   double latest_step = 0.0;  // of the water's time (s)
   Actions actions;
@@ -237,13 +254,31 @@ void Simulation::State::observe_displacement() {
   for (DisplacementTime& mark : result.displacement_times) {
     if (!mark.time && largest_displacement > mark.displacement) mark.time = time;
   }
-  if (!result.onset_time && largest_displacement > input.onset_displacement) {
-    result.onset_time = time;
-    result.onset_position = {soil.x[farthest_particle], soil.y[farthest_particle]};
-    result.zone_at_onset = zone();
-    onset_snapshot_due = true;
+  observe_onset();
+  if (!result.zone_at_10_cm && largest_displacement > zone_mark) {
+    result.zone_at_10_cm = zone();
+    result.slide_at_10_cm = slide();
   }
-  if (!result.zone_at_10_cm && largest_displacement > zone_mark) result.zone_at_10_cm = zone();
+}
+
+void Simulation::State::observe_onset() {
+  if (!result.displacement_onset && largest_displacement > input.onset_displacement) result.displacement_onset = time;
+  if (runaway.observe(time, largest_displacement)) result.runaway_onset = runaway.time();
+  if (result.onset_time) return;
+  result.onset_time = input.onset == Onset::runaway ? result.runaway_onset : result.displacement_onset;
+  if (!result.onset_time) return;
+  const solid::Particles& soil = mixture.soil.particles();
+  result.onset_position = {soil.x[farthest_particle], soil.y[farthest_particle]};
+  result.zone_at_onset = zone();
+  onset_snapshot_due = true;
+}
+
+bool Simulation::State::comes_to_rest() {
+  if (!input.stop.at_rest || !result.onset_time) return false;
+  const solid::Particles& soil = mixture.soil.particles();
+  const double at_onset = input.onset == Onset::runaway ? runaway.displacement() : input.onset_displacement;
+  return rest.observe(time - *result.onset_time, latest_step / clock_factor, largest_displacement - at_onset, soil.ux,
+                      soil.uy);
 }
 
 void Simulation::State::check_end() {
@@ -257,6 +292,10 @@ void Simulation::State::check_end() {
     end("displacement");
   } else if (result.onset_time && due(*result.onset_time + input.stop.after_onset)) {
     end("after_onset");
+  } else if (comes_to_rest()) {
+    end("at_rest");
+  } else if (!result.stands_before && !input.stop.asks_how_far() && largest_displacement >= fallen) {
+    end("fell");
   }
 }
 
@@ -266,6 +305,13 @@ std::string Simulation::State::text_of(const solid::SolidError& error) const {
   if (!is_x && !error.field.starts_with("y position")) return error.what();
   const Point place = frame.position({mixture.soil.particles().x[error.particle], error.value});
   return solid::SolidError(error.particle, error.field, place[is_x ? 0 : 1]).what();
+}
+
+Verdict Simulation::State::verdict() const {
+  if (input.scheme == Scheme::seepage) return Verdict::water_alone;
+  if (!result.stands_before) return Verdict::does_not_stand;
+  if (result.onset_time) return Verdict::fails;
+  return result.end_reason == "time" ? Verdict::stands : Verdict::undecided;
 }
 
 Simulation::Simulation(Case input, int threads) : state_(std::make_unique<State>(std::move(input), threads)) {}
@@ -291,6 +337,7 @@ void Simulation::State::find_initial_state() {
   if (needs_stress && s.input.initial_stress != InitialStress::none) {
     add_standing_acceleration(s.mixture, before, s.conditions.standing_acceleration(), s.scale, step);
   }
+  s.result.stands_before = s.result.initial_unbalanced_ratio <= unbalanced_limit;
   s.mixture.soil.release_walls(s.mixture.water_mass());
   s.first_storage = s.mixture.water.stored_water();
   const std::size_t n = s.particles.x.size();
@@ -454,7 +501,9 @@ Summary Simulation::summary() const {
   const State& s = *state_;
   Summary summary = s.result;
   summary.time = s.time;
+  summary.verdict = s.verdict();
   summary.zone_at_end = s.zone();
+  summary.slide_at_end = s.slide();
   s.frame.turn_back(summary);
   summary.largest_displacement = s.largest_displacement;
   summary.steps = s.steps;

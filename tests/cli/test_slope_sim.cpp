@@ -82,7 +82,12 @@ TEST_F(SlopeSim, SaysSoIfTheSlopeDoesNotStandBeforeTheStart) {
   const Outcome weak = call({"run", quick, "-o", (scratch_ / "weak").string(), "--set", "stop.time=0.01 s", "--set",
                              "initial.water={type: uniform, pressure: 0 kPa}", "--set",
                              "soils.silty_sand.strength.friction_angle=12 deg"});
-  EXPECT_NE(weak.errors.find("no balance was found before the start"), std::string::npos) << weak.errors;
+  EXPECT_EQ(weak.exit_code, 0);
+  EXPECT_NE(weak.errors.find("does not stand before the rain: no balance was found, 15 % of the weight"),
+            std::string::npos)
+      << weak.errors;
+  EXPECT_NE(weak.output.find("  verdict          does not stand before the rain"), std::string::npos) << weak.output;
+  EXPECT_EQ(summary_of(scratch_ / "weak")["verdict"].as<std::string>(), "does not stand before the start");
 }
 
 TEST_F(SlopeSim, RainIsBookedInTheBudget) {
@@ -130,7 +135,7 @@ TEST_F(SlopeSim, RunFillsAFolderThatStandsOnItsOwn) {
   EXPECT_GT(summary["steps"].as<int>(), 0);
   EXPECT_TRUE(summary["onset"].IsNull());
   EXPECT_NE(content_of(out / "log.txt").find("--set stop.time=0.15 s"), std::string::npos);
-  EXPECT_TRUE(outcome.output.starts_with("A box of wet soil\n  end              0.15 s (the time asked for)\n"))
+  EXPECT_TRUE(outcome.output.starts_with("A box of wet soil\n  verdict          stands until the end, 0.15 s\n"))
       << outcome.output;
 }
 

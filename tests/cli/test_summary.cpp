@@ -26,9 +26,13 @@ couple::Summary a_failure() {
   summary.onset_time = 618.25;
   summary.onset_position = {11.5, 5.75};
   summary.displacement_times = {{0.02, 618.25}, {1.0, {}}};
-  summary.zone_at_onset = couple::FailureZone{1, 2, 3, 4, 5, 6, 7, 8000};
-  summary.zone_at_end = couple::FailureZone{15, 7.75, 2.25, 27, 5, 12.75, 0.5, 38000};
+  summary.zone_at_onset = couple::FailureZone{1, 2, 3, 4, 5, 6, 8000};
+  summary.zone_at_end = couple::FailureZone{15, 7.75, 2.25, 27, 5, 12.75, 38000};
   summary.water = {1.5, 0.25, 1.25, 1e-9, {{"rain", 1.5}, {"outlet", -0.25}}, 2.5, 1.5, 1.0, 0.125, 0.0625};
+  summary.verdict = couple::Verdict::fails;
+  summary.displacement_onset = 618.25;
+  summary.runaway_onset = 590.5;
+  summary.slide_at_end = {31.5, -1.0, 0.28, couple::Point{10, 5}, 0.25, false};
   summary.largest_displacement = 0.3;
   summary.pressure_checkerboard = std::numeric_limits<double>::quiet_NaN();
   summary.particles = 5089;
@@ -65,6 +69,45 @@ TEST(SummaryJson, IsReadBackWithTheValuesAndUnitsInItsKeys) {
   EXPECT_EQ(json["wall_time_s"].as<double>(), 61.5);
 }
 
+TEST(SummaryJson, HasTheVerdictFirstAndTheSlideBesideTheZone) {
+  couple::Summary summary = a_failure();
+  const RunRecord record{"1", "displacement", "", 1.0, 1};
+  YAML::Node json = YAML::Load(summary_json(a_case(), summary, record));
+  EXPECT_EQ(json.begin()->first.as<std::string>(), "verdict");
+  EXPECT_EQ(json["verdict"].as<std::string>(), "fails");
+  EXPECT_EQ(json["onset_by_displacement_s"].as<double>(), 618.25);
+  EXPECT_EQ(json["onset_by_runaway_s"].as<double>(), 590.5);
+  EXPECT_TRUE(json["slide"]["at_10_cm"].IsNull());
+  const YAML::Node slide = json["slide"]["at_end"];
+  EXPECT_EQ(slide["area_m2"].as<double>(), 31.5);
+  EXPECT_EQ(slide["direction"].as<double>(), -1.0);
+  EXPECT_EQ(slide["run_out_m"].as<double>(), 0.25);
+  EXPECT_EQ(slide["first_toe_m"].as<std::vector<double>>(), (std::vector<double>{10.0, 5.0}));
+  EXPECT_EQ(slide["largest_horizontal_displacement_m"].as<double>(), 0.28);
+  EXPECT_FALSE(slide["reaches_wall"].as<bool>());
+
+  summary.slide_at_end.run_out.reset();
+  summary.slide_at_end.toe.reset();
+  json = YAML::Load(summary_json(a_case(), summary, record));
+  EXPECT_TRUE(json["slide"]["at_end"]["run_out_m"].IsNull());
+  EXPECT_TRUE(json["slide"]["at_end"]["first_toe_m"].IsNull());
+  for (const auto& [verdict, text] :
+       {std::pair{couple::Verdict::stands, "stands"},
+        std::pair{couple::Verdict::does_not_stand, "does not stand before the start"},
+        std::pair{couple::Verdict::water_alone, "water alone"}, std::pair{couple::Verdict::undecided, "undecided"}}) {
+    summary.verdict = verdict;
+    EXPECT_EQ(YAML::Load(summary_json(a_case(), summary, record))["verdict"].as<std::string>(), text);
+  }
+}
+
+TEST(SummaryJson, SaysByWhichCriterionTheOnsetIs) {
+  couple::Case input = a_case();
+  input.onset = couple::Onset::runaway;
+  const YAML::Node json = YAML::Load(summary_json(input, a_failure(), {"1", "time", "", 1.0, 1}));
+  EXPECT_NE(json["onset"]["criterion"].as<std::string>().find("five times the mean rate before"), std::string::npos);
+  EXPECT_EQ(onset_text(input, a_failure()), "618.25 s (the motion runs away), at x = 11.5 m, y = 5.8 m");
+}
+
 TEST(SummaryJson, OfASlopeThatStandsHasNoOnset) {
   couple::Summary summary = a_failure();
   summary.onset_time.reset();
@@ -75,17 +118,55 @@ TEST(SummaryJson, OfASlopeThatStandsHasNoOnset) {
 }
 
 TEST(Report, NamesTheCriterionBesideTheOnset) {
-  EXPECT_EQ(onset_text(a_failure()), "618.25 s (largest displacement above 2 cm), at x = 11.5 m, y = 5.8 m");
+  EXPECT_EQ(onset_text(a_case(), a_failure()), "618.25 s (largest displacement above 2 cm), at x = 11.5 m, y = 5.8 m");
   couple::Summary standing = a_failure();
   standing.onset_time.reset();
-  EXPECT_EQ(onset_text(standing), "none (the largest displacement stayed below 2 cm)");
+  EXPECT_EQ(onset_text(a_case(), standing), "none (the largest displacement stayed below 2 cm)");
+}
+
+TEST(Report, BeginsWithTheVerdict) {
+  couple::Case input = a_case();
+  couple::Summary summary = a_failure();
+  EXPECT_EQ(verdict_text(input, summary), "fails, after 618.25 s");
+  input.water_boundaries.emplace_back();
+  EXPECT_EQ(verdict_text(input, summary), "fails in the rain, after 618.25 s");
+  summary.verdict = couple::Verdict::does_not_stand;
+  summary.initial_unbalanced_ratio = 0.0123;
+  EXPECT_EQ(verdict_text(input, summary),
+            "does not stand before the rain: no balance was found, 1.2 % of the weight stays unbalanced");
+  summary.verdict = couple::Verdict::stands;
+  EXPECT_EQ(verdict_text(input, summary), "stands until the end, 890.5 s");
+  summary.verdict = couple::Verdict::undecided;
+  EXPECT_EQ(verdict_text(input, summary), "undecided: it stands until 890.5 s, where the run was ended");
+}
+
+TEST(Report, SaysWhereTheRunOutCannotBeCounted) {
+  couple::Summary summary = a_failure();
+  const auto report = [&] { return report_text(a_case(), summary, {"1", "displacement", "", 61.5, 2}); };
+  summary.slide_at_end.reaches_wall = true;
+  EXPECT_NE(report().find("to the left; it has come to the side of the domain"), std::string::npos) << report();
+  summary.slide_at_end.run_out.reset();
+  EXPECT_NE(report().find("no toe to count it from: the ground falls to the left side"), std::string::npos) << report();
+  summary.slide_at_end = {};
+  EXPECT_NE(report().find("run-out          0 m\n"), std::string::npos) << report();
+}
+
+TEST(Report, SaysWhetherTheSlideCameToRest) {
+  couple::Case input = a_case();
+  input.stop.at_rest = true;
+  const auto report = [&](const char* reason) { return report_text(input, a_failure(), {"1", reason, "", 1.0, 1}); };
+  EXPECT_NE(report("at_rest").find("890.5 s (the slide has come to rest)"), std::string::npos);
+  EXPECT_NE(report("time").find("(the time asked for; the slide had not come to rest)"), std::string::npos);
 }
 
 TEST(Report, SaysZoneSuctionAndWaterWithUnits) {
   const std::string report = report_text(a_case(), a_failure(), {"1", "displacement", "", 61.5, 2});
   for (const char* part :
        {"890.5 s (displacement above 0.3 m)",
-        "15.0 m long, 7.8 m high, 2.2 m deep, 27.0 m2, run-out 0.50 m (deviatoric strain above 2 %)",
+        "15.0 m long, 7.8 m high, 2.2 m deep, 27.0 m2 (deviatoric strain above 2 %)",
+        "verdict          fails, after 618.25 s", "the motion runs away from 590.5 s on",
+        "0.3 m at the end, where it is largest; horizontally 0.28 m",
+        "0.25 m beyond the first toe, x = 10.0000 m, y = 5.0000 m, to the left", "31.5 m2 (displacement above 2 cm)",
         "38.0 kPa at most", "1.5 m3/m in, 0.25 m3/m out, 1.25 m3/m stored, error 1.0e-09",
         "2.5 m3/m: 1.5 m3/m infiltrated, 1 m3/m ran off", "0.125 m3/m seeped out, 0.0625 m3/m evaporated",
         "5089 particles, 46312 steps, 61.5 s on 2 threads"}) {

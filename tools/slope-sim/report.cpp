@@ -8,10 +8,15 @@ namespace slope::tools {
 
 namespace {
 
-std::string end_text(const couple::Case& input, const RunRecord& record) {
-  if (record.end_reason == "time") return "the time asked for";
-  if (record.end_reason == "displacement") return fmt::format("displacement above {:g} m", input.stop.displacement);
-  if (record.end_reason == "after_onset") return fmt::format("{:g} s after the onset", input.stop.after_onset);
+std::string end_text(const couple::Case& input, const couple::Summary& summary, const RunRecord& record) {
+  if (record.end_reason == "at_rest") return "the slide has come to rest";
+  if (record.end_reason == "fell") return "it fell; stop.displacement, after_onset or at_rest would let it go on";
+  const bool moves = input.stop.at_rest && summary.onset_time;
+  const std::string note = moves ? "; the slide had not come to rest" : "";
+  if (record.end_reason == "time") return "the time asked for" + note;
+  if (record.end_reason == "displacement")
+    return fmt::format("displacement above {:g} m{}", input.stop.displacement, note);
+  if (record.end_reason == "after_onset") return fmt::format("{:g} s after the onset{}", input.stop.after_onset, note);
   return record.end_reason;
 }
 
@@ -23,19 +28,82 @@ std::string seconds_text(double seconds) {
 
 std::string zone_text(const couple::FailureZone& zone) {
   if (zone.area <= 0.0) return "none";
-  return fmt::format("{:.1f} m long, {:.1f} m high, {:.1f} m deep, {:.1f} m2, run-out {:.2f} m", zone.length,
-                     zone.height, zone.depth, zone.area, zone.run_out);
+  return fmt::format("{:.1f} m long, {:.1f} m high, {:.1f} m deep, {:.1f} m2", zone.length, zone.height, zone.depth,
+                     zone.area);
+}
+
+/// What may bring the slope down: "in the rain", or nothing if there is no water boundary.
+std::string under_what(const couple::Case& input) {
+  return input.water_boundaries.empty() ? "" : " in the rain";
+}
+
+std::string run_out_text(const couple::Slide& slide) {
+  if (!slide.run_out) {
+    return fmt::format("no toe to count it from: the ground falls to the {} side",
+                       slide.direction > 0.0 ? "right" : "left");
+  }
+  if (!slide.toe) return "0 m";
+  return fmt::format("{:.2f} m beyond the first toe, x = {:.4f} m, y = {:.4f} m, to the {}{}", *slide.run_out,
+                     (*slide.toe)[0], (*slide.toe)[1], slide.direction > 0.0 ? "right" : "left",
+                     slide.reaches_wall ? "; it has come to the side of the domain" : "");
+}
+
+std::string runaway_text(const couple::Summary& summary) {
+  if (!summary.runaway_onset) return "the motion has not run away";
+  return fmt::format("the motion runs away from {} on", seconds_text(*summary.runaway_onset));
 }
 
 }  // namespace
 
-std::string onset_text(const couple::Summary& summary) {
-  const double centimetres = 100.0 * summary.onset_criterion;
-  if (!summary.onset_time) return fmt::format("none (the largest displacement stayed below {:g} cm)", centimetres);
-  return fmt::format("{} (largest displacement above {:g} cm), at x = {:.1f} m, y = {:.1f} m",
-                     seconds_text(*summary.onset_time), centimetres, summary.onset_position[0],
-                     summary.onset_position[1]);
+std::string verdict_text(const couple::Case& input, const couple::Summary& summary) {
+  switch (summary.verdict) {
+    case couple::Verdict::stands:
+      return fmt::format("stands until the end, {}", seconds_text(summary.time));
+    case couple::Verdict::fails:
+      return fmt::format("fails{}, after {}", under_what(input), seconds_text(*summary.onset_time));
+    case couple::Verdict::does_not_stand:
+      return fmt::format("does not stand before {}: no balance was found, {:.2g} % of the weight stays unbalanced",
+                         input.water_boundaries.empty() ? "the start" : "the rain",
+                         100.0 * summary.initial_unbalanced_ratio);
+    case couple::Verdict::water_alone:
+      return "none: the water moves alone, the soil is not asked";
+    case couple::Verdict::undecided:
+      break;
+  }
+  return fmt::format("undecided: it stands until {}, where the run was ended", seconds_text(summary.time));
 }
+
+std::string onset_text(const couple::Case& input, const couple::Summary& summary) {
+  const double centimetres = 100.0 * summary.onset_criterion;
+  const bool runaway = input.onset == couple::Onset::runaway;
+  if (!summary.onset_time) {
+    return runaway ? "none (the motion has not run away)"
+                   : fmt::format("none (the largest displacement stayed below {:g} cm)", centimetres);
+  }
+  return fmt::format(
+      "{} ({}), at x = {:.1f} m, y = {:.1f} m", seconds_text(*summary.onset_time),
+      runaway ? std::string("the motion runs away") : fmt::format("largest displacement above {:g} cm", centimetres),
+      summary.onset_position[0], summary.onset_position[1]);
+}
+
+namespace {
+
+/// What moved, and how far.
+void add_motion(const couple::Case& input, const couple::Summary& summary, const auto& line) {
+  line("onset", onset_text(input, summary));
+  line("runaway", runaway_text(summary));
+  line("displacement", fmt::format("{:.3g} m at the end, where it is largest; horizontally {:.3g} m",
+                                   summary.largest_displacement, summary.slide_at_end.largest_horizontal_displacement));
+  line("run-out", run_out_text(summary.slide_at_end));
+  line("slid", fmt::format("{:.1f} m2 (displacement above {:g} cm)", summary.slide_at_end.area,
+                           100.0 * summary.onset_criterion));
+  const std::string threshold = fmt::format("deviatoric strain above {:g} %", 100.0 * input.failure_zone_strain);
+  if (summary.zone_at_10_cm)
+    line("zone at 10 cm", fmt::format("{} ({})", zone_text(*summary.zone_at_10_cm), threshold));
+  line("zone at the end", fmt::format("{} ({})", zone_text(summary.zone_at_end), threshold));
+}
+
+}  // namespace
 
 std::string report_text(const couple::Case& input, const couple::Summary& summary, const RunRecord& record) {
   const couple::WaterBudget& water = summary.water;
@@ -43,13 +111,9 @@ std::string report_text(const couple::Case& input, const couple::Summary& summar
   const auto line = [&text](std::string_view name, const std::string& content) {
     text += fmt::format("  {:<15}  {}\n", name, content);
   };
-  line("end", fmt::format("{} ({})", seconds_text(summary.time), end_text(input, record)));
-  line("onset", onset_text(summary));
-  line("displacement", fmt::format("{:.3g} m at the end, where it is largest", summary.largest_displacement));
-  const std::string threshold = fmt::format("deviatoric strain above {:g} %", 100.0 * input.failure_zone_strain);
-  if (summary.zone_at_10_cm)
-    line("zone at 10 cm", fmt::format("{} ({})", zone_text(*summary.zone_at_10_cm), threshold));
-  line("zone at the end", fmt::format("{} ({})", zone_text(summary.zone_at_end), threshold));
+  line("verdict", verdict_text(input, summary));
+  line("end", fmt::format("{} ({})", seconds_text(summary.time), end_text(input, summary, record)));
+  if (summary.verdict != couple::Verdict::water_alone) add_motion(input, summary, line);
   line("suction left", fmt::format("{:.1f} kPa at most", summary.zone_at_end.largest_suction / 1000.0));
   line("water", fmt::format("{:.4g} m3/m in, {:.4g} m3/m out, {:.4g} m3/m stored, error {:.1e}", water.infiltration,
                             water.outflow, water.storage, water.error));

@@ -12,7 +12,10 @@ namespace slope::tools {
 [[nodiscard]] std::string report_text(const couple::Case& input, const couple::Summary& summary,
                                       const RunRecord& record);
 
+/// "stands until the end, 40 min", "fails in the rain": what a run says of the slope, in the first line of its report.
+[[nodiscard]] std::string verdict_text(const couple::Case& input, const couple::Summary& summary);
+
 /// "693 s (largest displacement above 2 cm) at x = 10.3 m, y = 5.2 m"
-[[nodiscard]] std::string onset_text(const couple::Summary& summary);
+[[nodiscard]] std::string onset_text(const couple::Case& input, const couple::Summary& summary);
 
 }  // namespace slope::tools

@@ -18,8 +18,6 @@ namespace slope::tools {
 
 namespace {
 
-constexpr double at_rest = 1.0e-3;  // unbalanced over gravity forces, below which a slope stands before the start
-
 /// One run: the simulation, where its results go, and what is shown of it.
 class Run {
  public:
@@ -41,7 +39,9 @@ class Run {
       while (!advance()) {
       }
     } catch (const couple::SimulationError& error) {
-      return break_off("error", error.what(), ExitCode::broken_physics);
+      // that soil in free fall cannot be computed any more does not change what is known of the slope
+      const bool known = !simulation_.summary().stands_before;
+      return break_off("error", error.what(), known ? ExitCode::fine : ExitCode::broken_physics);
     }
     if (record_.end_reason == "interrupted") return break_off("interrupted", "", ExitCode::interrupted);
     finish();
@@ -63,7 +63,7 @@ class Run {
     progress_.begin_steps();
     writer_.log(
         fmt::format("{:.1f} s: initial state of {} particles", progress_.elapsed(), simulation_.summary().particles));
-    warn_of_unbalanced_start();
+    tell_of_unbalanced_start();
     writer_.begin_history(simulation_.history_columns());
     writer_.begin_budget(couple::Simulation::budget_columns());
     add_rows();
@@ -71,13 +71,12 @@ class Run {
     write_summary();
   }
 
-  void warn_of_unbalanced_start() {
-    const double unbalanced = simulation_.summary().initial_unbalanced_ratio;
-    if (unbalanced < at_rest) return;
-    const std::string text = fmt::format(
-        "no balance was found before the start: {:.1f} % of the weight stays unbalanced, and the slope moves at once; "
-        "make it stronger, flatter or drier, or take it for what it is",
-        100.0 * unbalanced);
+  /// The verdict on a slope that falls by itself comes before what shows how.
+  void tell_of_unbalanced_start() {
+    const couple::Summary summary = simulation_.summary();
+    if (summary.stands_before) return;
+    const std::string text = verdict_text(simulation_.input(), summary) +
+                             "; what follows is how it falls. To see the rain, make it stronger, flatter or drier";
     writer_.log(text);
     progress_.say(text);
   }
@@ -106,7 +105,7 @@ class Run {
   }
 
   void note_onset() {
-    const std::string text = "onset " + onset_text(simulation_.summary());
+    const std::string text = "onset " + onset_text(simulation_.input(), simulation_.summary());
     writer_.log(text);
     progress_.say(text);
     write_summary();

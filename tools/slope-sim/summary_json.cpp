@@ -29,11 +29,15 @@ Document end_of(const couple::Summary& summary, const RunRecord& record) {
   return end;
 }
 
-Document onset_of(const couple::Summary& summary) {
+Document onset_of(const couple::Case& input, const couple::Summary& summary) {
   if (!summary.onset_time) return {};
+  const bool runaway = input.onset == couple::Onset::runaway;
   Document onset = Document::map();
   onset.set("time_s", number(summary.onset_time))
-      .set("criterion", Document::text("largest displacement above displacement_m"))
+      .set("criterion",
+           Document::text(runaway ? "kink from which on the largest displacement grew by displacement_m at "
+                                    "five times the mean rate before, without slowing down"
+                                  : "largest displacement above displacement_m"))
       .set("displacement_m", number(summary.onset_criterion))
       .set("position_m", Document::list({number(summary.onset_position[0]), number(summary.onset_position[1])}));
   return onset;
@@ -57,7 +61,6 @@ Document zone_of(const couple::FailureZone& zone) {
       .set("area_m2", number(zone.area))
       .set("lowest_m", number(zone.lowest))
       .set("highest_m", number(zone.highest))
-      .set("run_out_m", number(zone.run_out))
       .set("largest_suction_Pa", number(zone.largest_suction));
   return entry;
 }
@@ -70,6 +73,42 @@ Document zones_of(const couple::Case& input, const couple::Summary& summary) {
       .set("at_10_cm", summary.zone_at_10_cm ? zone_of(*summary.zone_at_10_cm) : Document{})
       .set("at_end", zone_of(summary.zone_at_end));
   return zones;
+}
+
+Document slide_of(const couple::Slide& slide) {
+  Document entry = Document::map();
+  entry.set("area_m2", number(slide.area))
+      .set("direction", number(slide.direction))
+      .set("run_out_m", number(slide.run_out))
+      .set("first_toe_m", slide.toe ? Document::list({number((*slide.toe)[0]), number((*slide.toe)[1])}) : Document{})
+      .set("largest_horizontal_displacement_m", number(slide.largest_horizontal_displacement))
+      .set("reaches_wall", Document::flag(slide.reaches_wall));
+  return entry;
+}
+
+Document slides_of(const couple::Summary& summary) {
+  Document slides = Document::map();
+  slides.set("criterion", Document::text("displacement above displacement_m"))
+      .set("displacement_m", number(summary.onset_criterion))
+      .set("at_10_cm", summary.slide_at_10_cm ? slide_of(*summary.slide_at_10_cm) : Document{})
+      .set("at_end", slide_of(summary.slide_at_end));
+  return slides;
+}
+
+Document verdict_of(couple::Verdict verdict) {
+  switch (verdict) {
+    case couple::Verdict::stands:
+      return Document::text("stands");
+    case couple::Verdict::fails:
+      return Document::text("fails");
+    case couple::Verdict::does_not_stand:
+      return Document::text("does not stand before the start");
+    case couple::Verdict::water_alone:
+      return Document::text("water alone");
+    case couple::Verdict::undecided:
+      break;
+  }
+  return Document::text("undecided");
 }
 
 Document water_of(const couple::WaterBudget& water) {
@@ -93,16 +132,20 @@ Document water_of(const couple::WaterBudget& water) {
 
 std::string summary_json(const couple::Case& input, const couple::Summary& summary, const RunRecord& record) {
   Document root = Document::map();
-  root.set("program", Document::text("slope-sim"))
+  root.set("verdict", verdict_of(summary.verdict))
+      .set("program", Document::text("slope-sim"))
       .set("version", Document::text(record.version))
       .set("title", Document::text(input.title))
       .set("case", Document::text(input.path))
       .set("end", end_of(summary, record))
-      .set("onset", onset_of(summary))
+      .set("onset", onset_of(input, summary))
       .set("onset_criterion_m", number(summary.onset_criterion))
+      .set("onset_by_displacement_s", number(summary.displacement_onset))
+      .set("onset_by_runaway_s", number(summary.runaway_onset))
       .set("largest_displacement_m", number(summary.largest_displacement))
       .set("displacement_times", displacement_times_of(summary))
       .set("failure_zone", zones_of(input, summary))
+      .set("slide", slides_of(summary))
       .set("water_budget", water_of(summary.water))
       .set("pressure_checkerboard", number(summary.pressure_checkerboard))
       .set("initial_head_flux", number(summary.initial_head_flux))

@@ -11,7 +11,7 @@ namespace slope::tools {
 /// What the program knows of a run beside what the simulation does.
 struct RunRecord {
   std::string version;
-  std::string end_reason;  ///< "running", "time", "displacement", "after_onset", "interrupted" or "error"
+  std::string end_reason;  ///< that of the simulation's summary, or "interrupted" or "error"
   std::string message;     ///< of the error; empty if there was none
   double wall_time = 0.0;  ///< (s)
   int threads = 1;

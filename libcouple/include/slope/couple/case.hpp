@@ -189,11 +189,18 @@ struct Clock {
   double maximum_factor = 1.0e9;     ///< largest factor (-), >= 1
 };
 
+/// What counts as the onset of failure: the largest displacement passes a value, or the motion runs away.
+enum class Onset { displacement, runaway };
+
 /// When the run ends; the first that is met.
 struct Stop {
   double time = 0.0;            ///< (s), > 0
   double displacement = never;  ///< largest displacement (m)
   double after_onset = never;   ///< time after the onset of failure (s)
+  bool at_rest = false;         ///< when the slide has come to rest after its onset
+
+  /// Whether the case says how far a slide shall be followed.
+  [[nodiscard]] bool asks_how_far() const { return displacement < never || after_onset < never || at_rest; }
 };
 
 /// A point of the initial geometry whose nearest particle is followed.
@@ -238,7 +245,9 @@ struct Case {
   MixtureDensity mixture_density = MixtureDensity::by_saturation;
   Numerics numerics;
   Clock clock;
-  double onset_displacement = 0.02;   ///< (m), > 0
+  Onset onset = Onset::displacement;
+  double onset_displacement = 0.02;   ///< largest displacement at which the slope has failed, or by which it grows when
+                                      ///< the motion runs away; and what has moved by more has slid (m), > 0
   double failure_zone_strain = 0.02;  ///< deviatoric strain threshold (-), > 0
   Stop stop;
   std::vector<VerificationPoint> points;

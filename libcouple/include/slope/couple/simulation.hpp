@@ -57,9 +57,31 @@ struct FailureZone {
   double area = 0.0;             ///< (m2)
   double lowest = 0.0;           ///< y of its lowest point (m)
   double highest = 0.0;          ///< y of its highest point (m)
-  double run_out = 0.0;          ///< how far the slide's front went, horizontally: the foremost failed particle that
-                                 ///< moved by more than the onset displacement (m)
   double largest_suction = 0.0;  ///< left anywhere in the slope (Pa)
+};
+
+/// The soil that has moved by more than the onset displacement, and how far it ran. Unlike the failure zone, which is
+/// the band that shears, this is the mass that slid, whatever the cell size.
+struct Slide {
+  double area = 0.0;                             ///< present volume per metre of thickness (m2)
+  double direction = 0.0;                        ///< +1 to the right, -1 to the left, by its mean; 0: nothing slid
+  double largest_horizontal_displacement = 0.0;  ///< of any particle (m), >= 0
+  std::optional<Point> toe;  ///< first toe: lowest point of the face that it stood on, before the start (m); none:
+                             ///< nothing slid, or the ground falls all the way to the side of the domain
+  /// Advance of the ground line beyond its first toe, horizontally (m), >= 0: how much further than before the start
+  /// the soil reaches that stood behind the first toe and above it, to its foremost particle that has another within
+  /// two spacings. Zero if nothing slid or what slid stays behind the toe; none: no toe.
+  std::optional<double> run_out = 0.0;
+  bool reaches_wall = false;  ///< the front has come to the last cell before the side of the domain
+};
+
+/// What a run says of the slope.
+enum class Verdict {
+  undecided,       ///< it stands so far, but the run has not come to its end
+  stands,          ///< no onset of failure until the end
+  fails,           ///< it stood before the start, and failed then
+  does_not_stand,  ///< no balance was found before the start
+  water_alone,     ///< the soil was not asked
 };
 
 /// Water that has crossed the boundary and been stored since the start, per metre of thickness (m3/m).
@@ -94,15 +116,21 @@ struct DisplacementTime {
 };
 
 struct Summary {
-  std::string end_reason;                            ///< "time", "displacement", "after_onset", or "running"
-  double time = 0.0;                                 ///< simulated (s)
-  double onset_criterion = 0.0;                      ///< displacement that counts as failure (m)
-  std::optional<double> onset_time;                  ///< (s); none: the slope stood
-  Point onset_position{0.0, 0.0};                    ///< where the largest displacement was at onset (m)
+  std::string end_reason;  ///< "time", "displacement", "after_onset", "at_rest", "fell", or "running"
+  Verdict verdict = Verdict::undecided;
+  bool stands_before = true;                 ///< a balance was found before the start, or none was asked for
+  double time = 0.0;                         ///< simulated (s)
+  double onset_criterion = 0.0;              ///< displacement that counts as failure (m)
+  std::optional<double> onset_time;          ///< by the criterion that the case chose (s); none: no failure
+  std::optional<double> displacement_onset;  ///< the largest displacement passed onset_criterion (s)
+  std::optional<double> runaway_onset;       ///< the motion ran away: the kink of the displacement (s)
+  Point onset_position{0.0, 0.0};            ///< where the largest displacement was when the onset was found (m)
   std::vector<DisplacementTime> displacement_times;  ///< 1, 2, 5, 10, 30 and 100 cm
-  std::optional<FailureZone> zone_at_onset;          ///< at the onset
+  std::optional<FailureZone> zone_at_onset;          ///< when the onset was found
   std::optional<FailureZone> zone_at_10_cm;          ///< at a largest displacement of 10 cm
   FailureZone zone_at_end;
+  std::optional<Slide> slide_at_10_cm;  ///< at a largest displacement of 10 cm
+  Slide slide_at_end;
   WaterBudget water;
   double largest_displacement = 0.0;      ///< (m)
   double pressure_checkerboard = 0.0;     ///< largest over the run, of the measure defined in README (-)
