@@ -3,23 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "exponential_fitting.hpp"
+
 namespace slope::seepage {
 
 namespace {
 
 constexpr double alike = 0.1;     // |d| below which a short formula takes over, in full below half of it
 constexpr double longest = 40.0;  // x beyond which nothing changes any more
-
-// (e^t - 1) / t
-double phi(double t) {
-  return std::abs(t) < 1.0e-3 ? 1.0 + t * (0.5 + t / 6.0) : std::expm1(t) / t;
-}
-
-// Slope of ln(phi).
-double log_phi_slope(double t) {
-  if (std::abs(t) < 1.0e-3) return 0.5 + t / 12.0;
-  return -1.0 / std::expm1(-t) - 1.0 / t;
-}
 
 // x, and how it changes with d. Two soils may have d against psi: then both are 0.
 struct Length {
@@ -67,7 +58,7 @@ struct TrueMean {
         gain(a.potential - b.potential),
         d(std::log(a.conductivity / b.conductivity)),
         x(std::clamp(drop * more / gain, -longest, longest)),
-        follows_first((more > 0.0) == (x > 0.0)),
+        follows_first(drop > 0.0),
         exponential(b.conductivity * phi(d + x) / phi(x)),
         exponential_level(more / d),
         level(gain / fall),

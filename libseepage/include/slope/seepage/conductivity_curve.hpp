@@ -23,6 +23,8 @@ class ConductivityCurve {
 
   /// @param pressure_head  P_w / gamma_w (m), any sign
   [[nodiscard]] Value at(double pressure_head) const;
+  /// The potential alone (m2/s).
+  [[nodiscard]] double potential(double pressure_head) const;
   /// Conductivity of the saturated soil (m/s).
   [[nodiscard]] double saturated() const { return saturated_; }
 
