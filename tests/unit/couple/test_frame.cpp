@@ -135,6 +135,13 @@ TEST(Frame, GivesCopiesTheSameHistoryAndTurnsTheRestBack) {
   }
   ASSERT_GT(here.summary.zone_at_end.area, 0.0);
   EXPECT_NEAR(here.summary.zone_at_end.lowest, there.summary.zone_at_end.lowest - 404.1, 1e-9);
+  const Slide &slide = here.summary.slide_at_end, &elsewhere = there.summary.slide_at_end;
+  ASSERT_GT(slide.area, 0.0);
+  EXPECT_EQ(slide.area, elsewhere.area);
+  EXPECT_EQ(slide.direction, -elsewhere.direction);
+  ASSERT_TRUE(slide.toe && elsewhere.toe);
+  EXPECT_NEAR((*slide.toe)[0], 500134.45 - (*elsewhere.toe)[0], 1e-9);
+  EXPECT_NEAR((*slide.toe)[1], (*elsewhere.toe)[1] - 404.1, 1e-9);
 }
 
 /// A slope between two levels, its toe at x = 4 m: a face of some inclination, or another outline; all to the

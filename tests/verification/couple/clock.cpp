@@ -21,7 +21,8 @@ struct Run {
 
 // To a displacement of 30 cm, or the end of the case.
 Run run_with(const std::string& name, std::vector<std::string> overrides, double share_of_limit) {
-  overrides.push_back("clock.unbalanced_limit=" + std::to_string(share_of_limit * couple::Clock{}.unbalanced_limit));
+  const double limit = share_of_limit * couple::Clock{}.unbalanced_limit;
+  overrides.push_back("clock.unbalanced_limit=" + std::to_string(1e6 * limit) + "e-6");
   couple::Simulation simulation = start_shipped_case(name, overrides);
   Run run;
   double before = 0.0;
