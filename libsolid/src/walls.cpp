@@ -94,6 +94,11 @@ void MaterialPointMethod::find_wall_nodes() {
     });
     first_wall_node_[number + 1] = wall_nodes_.size();
   }
+  for (WallNode& wall : wall_nodes_) {
+    if (wall.normal != 1) continue;
+    if (wall.on == grid_.node(0, 0) && grid_.walls.left == Wall::friction) wall.beside = 1.0;
+    if (wall.on == grid_.node(grid_.columns, 0) && grid_.walls.right == Wall::friction) wall.beside = -1.0;
+  }
 }
 
 // Images that cannot move come first: in a corner they leave theirs to the wall that can.
@@ -188,6 +193,16 @@ void MaterialPointMethod::move_walls(double dt) {
     Node& inside = node_[wall.inside];
     inside.momentum += 2.0 * wall.image_mass * before;
     inside.force += 2.0 * wall.image_mass / dt * (after - before);
+  }
+}
+
+// Velocity per impulse of forces on the nodes. What acts on a node next to a wall moves that on the wall too if it can
+// move, and back.
+void MaterialPointMethod::respond(std::vector<Array2d>& force) const {
+  for (const WallNode& wall : wall_nodes_) force[wall.on] += wall.share * force[wall.inside];
+  for (std::size_t i = 0; i < force.size(); ++i) force[i] *= response_[i];
+  for (auto wall = wall_nodes_.rbegin(); wall != wall_nodes_.rend(); ++wall) {
+    force[wall->inside] += wall->share * force[wall->on];
   }
 }
 

@@ -255,6 +255,42 @@ TEST(FrictionBlock, TopplesWhereItsWeightLeavesItsBase) {
   EXPECT_GT(turned(1.3), 0.1);
 }
 
+// In hydrostatic water up to its top, the effective weight is what friction follows, in layers thin and thick.
+TEST(FrictionBlock, SlidesWithItsEffectiveWeightInWater) {
+  double error = 0.0;
+  for (const double height : {0.5, 1.0}) {
+    Block block;
+    block.cell_size = 0.25;
+    block.columns = 48;
+    block.rows = 8;
+    block.first_column = 4;
+    block.soil_columns = 32;
+    block.soil_rows = static_cast<int>(std::lround(height / block.cell_size));
+    block.walls = {.left = Wall::free, .right = Wall::free, .base = Wall::friction, .base_friction = 0.5};
+    MaterialPointMethod solid = block.build();
+    const double unit_weight = 1000.0 * gravity, buoyant = 1.0 - 1000.0 / block.saturated_density();
+    const double expected = gravity * (0.4 - 0.5 * buoyant);
+    const std::vector<double> water = block.pore_water(solid);
+    std::vector<double> pressure = solid.particles().y;
+    for (double& p : pressure) p = unit_weight * (height - p);
+    const double dt = solid.stable_step(0.5, water);
+    for (int step = 0; step < 1500; ++step) {
+      solid.predict(dt, {pressure, water}, {}, 40.0, {0.4 * gravity, 0.0});
+      solid.advance(dt, {}, {.yields = false, .moves = false, .accumulates_strain = false});
+    }
+    solid.stop();
+    double time = 0.0;
+    for (; time < 0.8; time += dt) {
+      solid.predict(dt, {pressure, water}, {}, 0.0, {0.4 * gravity, 0.0});
+      solid.advance(dt, {}, {.yields = false});
+    }
+    error = std::max(error, std::abs(mean(solid.particles().vx) / (expected * time) - 1.0));
+  }
+  EXPECT_TRUE(record("friction-blocks-9-water",
+                     "Saturated layers of 0.5 and 1 m on a base of 0.5, hydrostatic, k_h = 0.4: error of the speed",
+                     at_most(0.02), error, "%"));
+}
+
 // A block beside a wall, with gravity and push exchanged.
 double fall(Wall left, Wall right, double friction, double push, double time) {
   Block block;
