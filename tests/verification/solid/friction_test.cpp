@@ -38,7 +38,8 @@ struct Sliding {
   double start = left_end;
   double time = 1.5;
   double courant_number = 0.5;
-  bool sudden = false;  // the push begins with the motion
+  double side_friction = -1.0;  // of the left wall; none: free
+  bool sudden = false;          // the push begins with the motion
 };
 
 struct Slid {
@@ -110,6 +111,10 @@ class SlidingBlock {
     block.soil_rows = cells(given.height);
     block.soil.elastic.youngs_modulus = given.youngs_modulus;
     block.walls = {.left = Wall::free, .right = Wall::free, .base = Wall::friction, .base_friction = given.friction};
+    if (given.side_friction >= 0.0) {
+      block.walls.left = Wall::friction;
+      block.walls.left_friction = given.side_friction;
+    }
     return block.build();
   }
 
@@ -183,8 +188,8 @@ TEST(FrictionBlock, SlidesAsARigidOne) {
 TEST(FrictionBlock, IsTheSameOnOtherGridsAndUnderAVerticalForce) {
   for (const Sliding& given :
        {Sliding{.cell_size = 0.125}, Sliding{.cell_size = 0.5}, Sliding{.start = 1.5}, Sliding{.length = 1.0},
-        Sliding{.courant_number = 0.9}, Sliding{.friction = 0.4, .push = 0.5, .lift = 0.3},
-        Sliding{.friction = 0.4, .push = 0.7, .lift = -0.3}}) {
+        Sliding{.courant_number = 0.9}, Sliding{.start = 0.0, .side_friction = 0.5},
+        Sliding{.friction = 0.4, .push = 0.5, .lift = 0.3}, Sliding{.friction = 0.4, .push = 0.7, .lift = -0.3}}) {
     const Slid slid = slide(given);
     EXPECT_LT(way_error(given, slid), 0.01) << given.cell_size << " " << given.length << " " << given.lift;
     EXPECT_LT(speed_error(given, slid), 0.01) << given.cell_size << " " << given.length << " " << given.lift;

@@ -267,6 +267,7 @@ class MaterialPointMethod {
   static constexpr std::size_t base_side = 2;     // after left and right
   std::vector<WallNode> wall_nodes_;              // by side
   std::array<std::size_t, 4> first_wall_node_{};  // of each side, and the end
+  std::array<bool, 2> corner_off_{};              // whether the soil is off the left or right side in its corner
   std::vector<NearWall> near_wall_;               // of each wall node
   bool walls_released_ = false;
   double whole_time_ = 0.0, distribution_time_ = 0.0;  // in which friction follows the normal force (s)
