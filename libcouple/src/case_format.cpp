@@ -64,7 +64,7 @@ Format<Walls> walls_format() {
   const auto coefficient = maybe(quantity(Dimension::number, at_least(0.0)));
   return Record<Walls>()
       .required("left", &Walls::left, wall,
-                "free: none, roller: no motion across it, fixed: no motion at all, friction: no motion across it, and "
+                "free: none, roller: no motion across it, fixed: no motion at all, friction: no motion into it, and "
                 "along it only against friction, absorbing: waves pass it, loads at rest are borne",
                 "roller")
       .required("right", &Walls::right, wall, "as the left wall", "roller")

@@ -39,37 +39,75 @@ void MaterialPointMethod::find_friction_times() {
   distribution_time_ = distribution_crossings * crossing;
 }
 
-// How far the soil is from the nodes of a frictional wall: the least distance of the faces of the particles that reach
-// a node. The half height of a particle on the wall has grown by its strain across the wall, whatever else it did.
-void MaterialPointMethod::find_gaps() {
+// What the nodes of the frictional walls see of the soil: how far it is, and the force of its pore water on the wall.
+//
+// The distance is the least one of the faces of the particles that reach a node. The half height of a particle on the
+// wall has grown by its strain across the wall, whatever else it did. The water's pressure at the wall is that of the
+// straight line through the particles' pressures; the length of wall that it acts on, that of Gauss's theorem.
+void MaterialPointMethod::look_at_soil(std::span<const double> pressure) {
+  for (WallNode& wall : wall_nodes_) wall.gap = untouched;
+  near_wall_.assign(wall_nodes_.size(), {});
+  for (std::size_t side = 0; side + 1 < first_wall_node_.size(); ++side) {
+    const std::size_t first = first_wall_node_[side];
+    if (first != first_wall_node_[side + 1] && wall_nodes_[first].wall == Wall::friction) look_at_soil(first, pressure);
+  }
+  for (std::size_t i = 0; i < wall_nodes_.size(); ++i) {
+    const NearWall& near = near_wall_[i];
+    wall_nodes_[i].water_force = 0.0;
+    if (pressure.empty() || near.volume == 0.0) continue;
+    const double distance = near.distance / near.volume;
+    const double spread = near.square / near.volume - distance * distance;
+    const double slope = spread > 1.0e-6 * grid_.cell_size * grid_.cell_size
+                             ? (near.product - near.pressure * distance) / (near.volume * spread)
+                             : 0.0;
+    wall_nodes_[i].water_force = (near.pressure / near.volume - slope * distance) * near.length;
+  }
+}
+
+void MaterialPointMethod::look_at_soil(std::size_t first_node, std::span<const double> pressure) {
   constexpr double reach = 1.5;            // cells, of a particle
   constexpr double largest_stretch = 2.0;  // of one that has tumbled, and whose strain means nothing
-  for (WallNode& wall : wall_nodes_) wall.gap = untouched;
+  const WallNode& first = wall_nodes_[first_node];
   const auto columns = std::size_t(grid_.node_columns());
-  const double h = grid_.cell_size;
-  const auto find = [&](std::size_t side, double wall_place, double inwards) {
-    const std::size_t first_node = first_wall_node_[side];
-    if (first_node == first_wall_node_[side + 1] || wall_nodes_[first_node].wall != Wall::friction) return;
-    const bool base = side == base_side;
-    const std::vector<double>& place = base ? particles_.y : particles_.x;
-    const std::vector<double>& across = base ? particles_.eyy : particles_.exx;
-    const std::vector<double>& along = base ? particles_.exx : particles_.eyy;
-    const std::size_t first_along = wall_nodes_[first_node].along;
-    for (std::size_t p = 0; p < particles_.size(); ++p) {
-      const double distance = inwards * (place[p] - wall_place);
-      if (distance > reach * h) continue;
-      const double stretch = std::clamp(std::exp(0.5 * (across[p] - along[p])), 1.0 / largest_stretch, largest_stretch);
-      const double gap = std::max(0.0, distance - (0.5 + skin) * std::sqrt(particles_.volume[p]) * stretch);
-      const std::size_t first = base ? weights_[p].node % columns : weights_[p].node / columns;
-      for (std::size_t node = std::max(first, first_along); node < first + 3; ++node) {
-        double& least = wall_nodes_[first_node + node - first_along].gap;
-        least = std::min(least, gap);
-      }
+  const bool base = first.normal == 1;
+  const std::vector<double>& place = base ? particles_.y : particles_.x;
+  const std::vector<double>& across = base ? particles_.eyy : particles_.exx;
+  const std::vector<double>& along = base ? particles_.exx : particles_.eyy;
+  const auto row_of = [&](std::size_t node) { return base ? node / columns : node % columns; };
+  const auto number_of = [&](std::size_t node) { return base ? node % columns : node / columns; };
+  const std::size_t on = row_of(first.on), outside = row_of(first.outside), before = number_of(grid_.node(-1, -1));
+  const double at =
+      first.inwards > 0.0 ? grid_.lower[std::size_t(first.normal)] : grid_.lower[0] + grid_.cell_size * grid_.columns;
+  for (std::size_t p = 0; p < particles_.size(); ++p) {
+    const double distance = first.inwards * (place[p] - at);
+    if (distance > reach * grid_.cell_size) continue;
+    const ParticleWeights& w = weights_[p];
+    const double volume = particles_.volume[p];
+    const double stretch = std::clamp(std::exp(0.5 * (across[p] - along[p])), 1.0 / largest_stretch, largest_stretch);
+    const double gap = std::max(0.0, distance - (0.5 + skin) * std::sqrt(volume) * stretch);
+    const double* value = base ? w.nx : w.ny;
+    const double* gradient = base ? w.gy : w.gx;
+    double slope = 0.0;
+    for (std::size_t b = 0; b < 3; ++b) {
+      const std::size_t row = row_of(w.node) + b;
+      slope += row == on ? gradient[b] : row == outside ? 2.0 * gradient[b] : 0.0;
     }
-  };
-  find(0, grid_.lower[0], 1.0);
-  find(1, grid_.lower[0] + h * grid_.columns, -1.0);
-  find(base_side, grid_.lower[1], 1.0);
+    for (std::size_t a = 0; a < 3; ++a) {
+      const std::size_t number = number_of(w.node) + a - before;
+      if (number < first.along) continue;
+      const std::size_t node = first_node + number - first.along;
+      wall_nodes_[node].gap = std::min(wall_nodes_[node].gap, gap);
+      if (pressure.empty()) continue;
+      const double share = value[a] * volume;
+      NearWall& near = near_wall_[node];
+      near.volume += share;
+      near.distance += share * distance;
+      near.square += share * distance * distance;
+      near.pressure += share * pressure[p];
+      near.product += share * distance * pressure[p];
+      near.length -= first.inwards * share * slope;
+    }
+  }
 }
 
 // The normal force of a wall on a node.
@@ -99,6 +137,8 @@ void MaterialPointMethod::rub(WallNode& wall, double limit, double dt) {
   wall.friction_force = slides ? std::copysign(limit, stops) : stops;
   node.force[along] += wall.friction_force;
   response = slides ? 1.0 / wall.mass[along] : 0.0;
+  // in a corner, the wall beside holds it too
+  if ((node.momentum[along] + dt * node.force[along]) * wall.beside < 0.0) response = 0.0;
 }
 
 // Forces of the frictional walls on their nodes, one stretch with soil after the other.
@@ -133,9 +173,10 @@ void MaterialPointMethod::resist_by_friction(std::span<WallNode> stretch, double
   double felt = 0.0, usual = 0.0;
   for (WallNode& wall : stretch) {
     press(wall, dt);
+    const double effective = wall.normal_force > 0.0 ? std::max(0.0, wall.normal_force - wall.water_force) : 0.0;
     // soil off the wall owes it the rest of the friction of its last impact
-    wall.felt += whole_share * (wall.normal_force - (touches ? wall.felt : 0.0));
-    wall.usual += (wall.usual == 0.0 ? 1.0 : distribution_share) * (wall.normal_force - wall.usual);
+    wall.felt += whole_share * (effective - (touches ? wall.felt : 0.0));
+    wall.usual += (wall.usual == 0.0 ? 1.0 : distribution_share) * (effective - wall.usual);
     felt += wall.felt;
     if (wall.gap == 0.0) usual += wall.usual;
   }
@@ -147,10 +188,14 @@ void MaterialPointMethod::resist_by_friction(std::span<WallNode> stretch, double
 std::vector<WallReaction> MaterialPointMethod::wall_reactions() const {
   std::vector<WallReaction> reactions;
   const auto columns = std::size_t(grid_.node_columns());
+  const std::size_t corner = grid_.node(0, 0);
+  const auto place = [this](double lower, std::size_t node, std::size_t first) {
+    return lower + grid_.cell_size * (static_cast<double>(node) - static_cast<double>(first));
+  };
   for (const WallNode& wall : wall_nodes_) {
     if (wall.wall != Wall::friction) continue;
-    reactions.push_back({.x = grid_.lower[0] + grid_.cell_size * (double(wall.on % columns) - 1.0),
-                         .y = grid_.lower[1] + grid_.cell_size * (double(wall.on / columns) - 1.0),
+    reactions.push_back({.x = place(grid_.lower[0], wall.on % columns, corner % columns),
+                         .y = place(grid_.lower[1], wall.on / columns, corner / columns),
                          .normal = wall.normal_force,
                          .friction = wall.friction_force});
   }

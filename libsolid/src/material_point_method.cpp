@@ -115,6 +115,7 @@ void MaterialPointMethod::predict(double dt, const PoreState& pore, std::span<co
     find_pressure_force(inside.pressure);
     for (std::size_t i = 0; i < node_.size(); ++i) node_[i].force += pressure_force_[i];
   }
+  look_at_soil(inside.pressure);
   update_velocity(dt, damping);
 }
 
@@ -138,7 +139,6 @@ void MaterialPointMethod::update_velocity(double dt, double damping) {
     response_[i] = node_[i].mass > lightest_node * heaviest ? 1.0 / node_[i].mass : 0.0;
   }
   hold_walls();
-  find_gaps();
   move_walls(dt);
   for (std::size_t i = 0; i < node_.size(); ++i) {
     const Node& node = node_[i];

@@ -141,7 +141,7 @@ void MaterialPointMethod::volumetric_strain(double dt, std::span<double> strain)
 
 void MaterialPointMethod::volume_response(double dt, std::span<const double> q, std::span<double> volume_change) const {
   find_pressure_force(q);
-  for (std::size_t i = 0; i < pressure_force_.size(); ++i) pressure_force_[i] *= response_[i];
+  respond(pressure_force_);
   find_hat_divergence(pressure_force_);
   const double scale = dt * dt;
 #pragma omp parallel for schedule(static) num_threads(settings_.threads) if (settings_.threads > 1)
@@ -169,7 +169,8 @@ void MaterialPointMethod::volume_response_diagonal(double dt, std::span<double> 
 
 void MaterialPointMethod::correct(double dt, std::span<const double> q) {
   find_pressure_force(q);
-  for (std::size_t i = 0; i < velocity_.size(); ++i) velocity_[i] += dt * response_[i] * pressure_force_[i];
+  respond(pressure_force_);
+  for (std::size_t i = 0; i < velocity_.size(); ++i) velocity_[i] += dt * pressure_force_[i];
 }
 
 }  // namespace slope::solid

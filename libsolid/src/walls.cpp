@@ -47,6 +47,7 @@ struct Image {
   std::size_t along;  // number of the node along the wall
   Array2d sign;
   bool moving;  // whether the node on the wall can move
+  bool corner;  // whether it is one of a frictional base's in the corner with a frictional side
 };
 
 // Calls act(side, image) for each node outside of a wall, so that those in the corners reach the inside in two steps.
@@ -60,18 +61,18 @@ void for_each_image(const Grid& grid, const Act& act) {
   for (int j = -1; j <= ny + 1; ++j) {
     const auto along = std::size_t(j + 1);
     const bool above_base = j > 0 || !moves(base.wall);
-    if (left.wall != Wall::free) {
-      act(left, Image{grid.node(-1, j), grid.node(0, j), grid.node(1, j), along, left.sign(),
-                      moves(left.wall) && above_base});
-    }
-    if (right.wall != Wall::free) {
-      act(right, Image{grid.node(nx + 1, j), grid.node(nx, j), grid.node(nx - 1, j), along, right.sign(),
-                       moves(right.wall) && above_base});
-    }
+    const auto look = [&](const Side& side, int on, int inwards) {
+      if (side.wall == Wall::free) return;
+      const bool corner = !above_base && side.wall == Wall::friction && base.wall == Wall::friction;
+      act(side, Image{grid.node(on - inwards, j), grid.node(on, j), grid.node(on + inwards, j), along, side.sign(),
+                      moves(side.wall) && above_base, corner});
+    };
+    look(left, 0, 1);
+    look(right, nx, -1);
   }
   for (int i = -1; i <= nx + 1 && base.wall != Wall::free; ++i) {
-    act(base,
-        Image{grid.node(i, -1), grid.node(i, 0), grid.node(i, 1), std::size_t(i + 1), base.sign(), moves(base.wall)});
+    act(base, Image{grid.node(i, -1), grid.node(i, 0), grid.node(i, 1), std::size_t(i + 1), base.sign(),
+                    moves(base.wall), false});
   }
 }
 
@@ -94,16 +95,29 @@ void MaterialPointMethod::find_wall_nodes() {
     });
     first_wall_node_[number + 1] = wall_nodes_.size();
   }
+  for (WallNode& wall : wall_nodes_) {
+    if (wall.normal != 1) continue;
+    if (wall.on == grid_.node(0, 0) && grid_.walls.left == Wall::friction) wall.beside = 1.0;
+    if (wall.on == grid_.node(grid_.columns, 0) && grid_.walls.right == Wall::friction) wall.beside = -1.0;
+  }
 }
 
-// Images that cannot move come first: in a corner they leave theirs to the wall that can.
+// Images that cannot move come first: in a corner they leave theirs to the wall that can. Where soil did not press
+// against a frictional side just above a frictional base in the step before, what it has beyond the corner goes with
+// the corner's own node.
 void MaterialPointMethod::fold_walls() {
-  for_each_image(grid_, [&](const Side& /*side*/, const Image& image) {
+  for (std::size_t side = 0; side < base_side; ++side) {
+    const std::size_t above = first_wall_node_[side];
+    corner_off_[side] = above < first_wall_node_[side + 1] && wall_nodes_[above].normal_force == 0.0;
+  }
+  for_each_image(grid_, [&](const Side& side, const Image& image) {
     if (image.moving) return;
+    const bool off = image.corner && corner_off_[side.number];
+    const Array2d sign = off ? Array2d::Ones() : image.sign;
     Node& from = node_[image.outside];
-    Node& to = node_[image.inside];
-    to.momentum += image.sign * from.momentum;
-    to.force += image.sign * from.force;
+    Node& to = node_[off ? image.on : image.inside];
+    to.momentum += sign * from.momentum;
+    to.force += sign * from.force;
     to.mass += from.mass;
     from = {Array2d::Zero(), Array2d::Zero(), 0.0};
   });
@@ -191,6 +205,16 @@ void MaterialPointMethod::move_walls(double dt) {
   }
 }
 
+// Velocity per impulse of forces on the nodes. What acts on a node next to a wall moves that on the wall too if it can
+// move, and back.
+void MaterialPointMethod::respond(std::vector<Array2d>& force) const {
+  for (const WallNode& wall : wall_nodes_) force[wall.on] += wall.share * force[wall.inside];
+  for (std::size_t i = 0; i < force.size(); ++i) force[i] *= response_[i];
+  for (auto wall = wall_nodes_.rbegin(); wall != wall_nodes_.rend(); ++wall) {
+    force[wall->inside] += wall->share * force[wall->on];
+  }
+}
+
 void MaterialPointMethod::release_walls(std::span<const double> water_mass) {
   walls_released_ = true;
   const double h = grid_.cell_size;
@@ -220,7 +244,12 @@ void MaterialPointMethod::release_walls(std::span<const double> water_mass) {
 // Gives the nodes outside of the walls the velocity of their images; twice, for those in the corners.
 void MaterialPointMethod::unfold_walls() {
   for (int pass = 0; pass < 2; ++pass) {
-    for_each_image(grid_, [this](const Side& /*side*/, const Image& image) {
+    for_each_image(grid_, [this](const Side& side, const Image& image) {
+      if (image.corner && corner_off_[side.number]) {
+        velocity_[image.outside] = velocity_[image.on];
+        old_velocity_[image.outside] = old_velocity_[image.on];
+        return;
+      }
       velocity_[image.outside] = image.sign * velocity_[image.inside];
       old_velocity_[image.outside] = image.sign * old_velocity_[image.inside];
       if (!image.moving) return;

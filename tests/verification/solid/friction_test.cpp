@@ -38,7 +38,8 @@ struct Sliding {
   double start = left_end;
   double time = 1.5;
   double courant_number = 0.5;
-  bool sudden = false;  // the push begins with the motion
+  double side_friction = -1.0;  // of the left wall; none: free
+  bool sudden = false;          // the push begins with the motion
 };
 
 struct Slid {
@@ -110,6 +111,10 @@ class SlidingBlock {
     block.soil_rows = cells(given.height);
     block.soil.elastic.youngs_modulus = given.youngs_modulus;
     block.walls = {.left = Wall::free, .right = Wall::free, .base = Wall::friction, .base_friction = given.friction};
+    if (given.side_friction >= 0.0) {
+      block.walls.left = Wall::friction;
+      block.walls.left_friction = given.side_friction;
+    }
     return block.build();
   }
 
@@ -183,8 +188,8 @@ TEST(FrictionBlock, SlidesAsARigidOne) {
 TEST(FrictionBlock, IsTheSameOnOtherGridsAndUnderAVerticalForce) {
   for (const Sliding& given :
        {Sliding{.cell_size = 0.125}, Sliding{.cell_size = 0.5}, Sliding{.start = 1.5}, Sliding{.length = 1.0},
-        Sliding{.courant_number = 0.9}, Sliding{.friction = 0.4, .push = 0.5, .lift = 0.3},
-        Sliding{.friction = 0.4, .push = 0.7, .lift = -0.3}}) {
+        Sliding{.courant_number = 0.9}, Sliding{.start = 0.0, .side_friction = 0.5},
+        Sliding{.friction = 0.4, .push = 0.5, .lift = 0.3}, Sliding{.friction = 0.4, .push = 0.7, .lift = -0.3}}) {
     const Slid slid = slide(given);
     EXPECT_LT(way_error(given, slid), 0.01) << given.cell_size << " " << given.length << " " << given.lift;
     EXPECT_LT(speed_error(given, slid), 0.01) << given.cell_size << " " << given.length << " " << given.lift;
@@ -253,6 +258,42 @@ TEST(FrictionBlock, TopplesWhereItsWeightLeavesItsBase) {
   };
   EXPECT_LT(std::abs(turned(0.8)), 0.01);
   EXPECT_GT(turned(1.3), 0.1);
+}
+
+// In hydrostatic water up to its top, the effective weight is what friction follows, in layers thin and thick.
+TEST(FrictionBlock, SlidesWithItsEffectiveWeightInWater) {
+  double error = 0.0;
+  for (const double height : {0.5, 1.0}) {
+    Block block;
+    block.cell_size = 0.25;
+    block.columns = 48;
+    block.rows = 8;
+    block.first_column = 4;
+    block.soil_columns = 32;
+    block.soil_rows = static_cast<int>(std::lround(height / block.cell_size));
+    block.walls = {.left = Wall::free, .right = Wall::free, .base = Wall::friction, .base_friction = 0.5};
+    MaterialPointMethod solid = block.build();
+    const double unit_weight = 1000.0 * gravity, buoyant = 1.0 - 1000.0 / block.saturated_density();
+    const double expected = gravity * (0.4 - 0.5 * buoyant);
+    const std::vector<double> water = block.pore_water(solid);
+    std::vector<double> pressure = solid.particles().y;
+    for (double& p : pressure) p = unit_weight * (height - p);
+    const double dt = solid.stable_step(0.5, water);
+    for (int step = 0; step < 1500; ++step) {
+      solid.predict(dt, {pressure, water}, {}, 40.0, {0.4 * gravity, 0.0});
+      solid.advance(dt, {}, {.yields = false, .moves = false, .accumulates_strain = false});
+    }
+    solid.stop();
+    double time = 0.0;
+    for (; time < 0.8; time += dt) {
+      solid.predict(dt, {pressure, water}, {}, 0.0, {0.4 * gravity, 0.0});
+      solid.advance(dt, {}, {.yields = false});
+    }
+    error = std::max(error, std::abs(mean(solid.particles().vx) / (expected * time) - 1.0));
+  }
+  EXPECT_TRUE(record("friction-blocks-9-water",
+                     "Saturated layers of 0.5 and 1 m on a base of 0.5, hydrostatic, k_h = 0.4: error of the speed",
+                     at_most(0.02), error, "%"));
 }
 
 // A block beside a wall, with gravity and push exchanged.

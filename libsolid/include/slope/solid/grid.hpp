@@ -5,8 +5,8 @@
 
 namespace slope::solid {
 
-/// How a wall holds the soil: not at all; normal to itself only; altogether; normal to itself, and along itself up to
-/// a share of the effective normal force; or as more of the same soil would, which takes waves away.
+/// How a wall holds the soil: not at all; normal to itself only; altogether; against motion into itself, and along
+/// itself up to a share of the effective normal force; or as more of the same soil would, which takes waves away.
 enum class Wall { free, roller, fixed, friction, absorbing };
 
 struct Walls {

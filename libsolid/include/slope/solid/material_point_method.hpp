@@ -202,8 +202,10 @@ class MaterialPointMethod {
     Eigen::Array2d share = Eigen::Array2d::Zero();  // of the momentum of the node inside that moves it (-)
     Eigen::Array2d mass = Eigen::Array2d::Zero();   // that it moves (kg/m)
 
-    double friction = 0.0;                            // coefficient (-)
-    double gap = 0.0;                                 // to the soil (m)
+    double friction = 0.0;     // coefficient (-)
+    double gap = 0.0;          // to the soil (m)
+    double water_force = 0.0;  // of the pore water on the wall (N/m)
+    double beside = 0.0;       // sign of the inner normal of a wall with friction that it meets there, if it does
     double normal_force = 0.0, friction_force = 0.0;  // on the soil, inwards and along the axis (N/m)
     double felt = 0.0, usual = 0.0;  // normal force, as the whole of the friction and its distribution follow it (N/m)
 
@@ -211,6 +213,11 @@ class MaterialPointMethod {
     Eigen::Array2d displacement = Eigen::Array2d::Zero();  // since the release (m)
     Eigen::Array2d dashpot = Eigen::Array2d::Zero();       // (N s/m2)
     Eigen::Array2d spring = Eigen::Array2d::Zero();        // (N/m2)
+  };
+  // Sums over the particles near a node of a frictional wall.
+  struct NearWall {
+    double volume = 0.0, distance = 0.0, square = 0.0, pressure = 0.0, product = 0.0;  // weighted by volume
+    double length = 0.0;                                                               // of wall (m)
   };
   // What the loop over the particles needs of a soil, worked out once.
   struct Material {
@@ -234,13 +241,15 @@ class MaterialPointMethod {
   void fold_walls();
   void hold_walls();
   void find_wall_nodes();
-  void find_gaps();
+  void look_at_soil(std::span<const double> pressure);
+  void look_at_soil(std::size_t first_node, std::span<const double> pressure);
   void move_walls(double dt);
   void find_friction_times();
   void resist_by_friction(double dt);
   void resist_by_friction(std::span<WallNode> stretch, double dt);
   void press(WallNode& wall, double dt);
   void rub(WallNode& wall, double limit, double dt);
+  void respond(std::vector<Eigen::Array2d>& force) const;
   void unfold_walls();
   void update_velocity(double dt, double damping);
   void find_hats();
@@ -278,6 +287,8 @@ class MaterialPointMethod {
   static constexpr std::size_t base_side = 2;     // after left and right
   std::vector<WallNode> wall_nodes_;              // by side
   std::array<std::size_t, 4> first_wall_node_{};  // of each side, and the end
+  std::array<bool, 2> corner_off_{};              // whether the soil is off the left or right side in its corner
+  std::vector<NearWall> near_wall_;               // of each wall node
   bool walls_released_ = false;
   double whole_time_ = 0.0, distribution_time_ = 0.0;  // in which friction follows the normal force (s)
 
