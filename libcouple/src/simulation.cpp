@@ -74,7 +74,7 @@ struct Simulation::State {
         conditions(input, particles),
         scheme(make_scheme(input)),
         clock(clock_limits(scheme, input, mixture), scale, conditions.change_times()),
-        surface(particles, particles_at({}, particles)),
+        surface(particles, faces_at({}, input, particles)),
         time_step(stable_step(scheme, mixture, input.numerics.courant_number)),
         snapshot_times(input.output.snapshots) {
     for (const VerificationPoint& point : input.points) followed.push_back(nearest_particle(particles, point.position));
