@@ -74,20 +74,20 @@ BoundaryConditions::BoundaryConditions(const Case& input, const InitialParticles
     if (ramp > 0.0) change_times_.push_back(start + ramp);
   };
   for (const WaterBoundary& boundary : water_) {
-    water_particles_.push_back(particles_at(boundary.where, particles));
+    water_faces_.push_back(faces_at(boundary.where, input, particles));
     names_.push_back(boundary.name);
     add_times(boundary.start, boundary.ramp);
     const bool covers =
         boundary.where.place != Place::free_surface && !std::holds_alternative<FreeDrainage>(boundary.condition);
     if (!covers) continue;
-    for (const std::size_t p : water_particles_.back()) first_cover_[p] = Cover::condition;
+    for (const Face& face : water_faces_.back()) first_cover_[face.particle] = Cover::condition;
   }
   for (const WaterBoundary& boundary : water_) {
     if (!std::holds_alternative<Reservoir>(boundary.condition)) continue;
     names_.push_back(boundary.name + " above the level");
   }
   for (const Traction& traction : tractions_) {
-    traction_particles_.push_back(particles_at(traction.where, particles));
+    traction_faces_.push_back(faces_at(traction.where, input, particles));
     add_times(traction.start, traction.ramp);
   }
   if (seismic_.horizontal_coefficient != 0.0 || seismic_.vertical_coefficient != 0.0) {
@@ -130,10 +130,10 @@ void BoundaryConditions::apply(double time, const Mixture& mixture, Actions& act
     const Traction& traction = tractions_[k];
     if (time < traction.start) continue;
     const double share = ramp_share(time, traction.start, traction.ramp);
-    const Point face = outwards_of(traction.where.place);
-    for (const std::size_t p : traction_particles_[k]) {
-      actions.tractions.push_back({p, share * traction.traction[0], share * traction.traction[1],
-                                   face[0] * face_distance_[p], face[1] * face_distance_[p]});
+    const Point direction = outwards_of(traction.where.place);
+    for (const Face& face : traction_faces_[k]) {
+      actions.tractions.push_back({face.particle, share * traction.traction[0], share * traction.traction[1],
+                                   direction[0] * face.outwards, direction[1] * face.outwards});
     }
   }
 }
@@ -271,11 +271,11 @@ void BoundaryConditions::add_water(std::size_t boundary, double time, double sha
   const WaterBoundary& condition = water_[boundary];
   const auto index = static_cast<std::uint32_t>(boundary);
   const double unit_weight = mixture.water.water().unit_weight();
-  const double upwards = outwards_of(condition.where.place)[1];
-  for (const std::size_t p : water_particles_[boundary]) {
+  for (const Face& face : water_faces_[boundary]) {
+    const std::size_t p = face.particle;
     const auto particle = static_cast<std::uint32_t>(p);
     if (const auto* flux = std::get_if<PrescribedFlux>(&condition.condition)) {
-      actions.water.inflows.push_back({particle, index, share * flux->flux.at(time) * spacing_});
+      actions.water.inflows.push_back({particle, index, share * flux->flux.at(time) * face.area});
       continue;
     }
     if (std::holds_alternative<FreeDrainage>(condition.condition)) {
@@ -283,13 +283,13 @@ void BoundaryConditions::add_water(std::size_t boundary, double time, double sha
       continue;
     }
     const auto& held = std::get<PrescribedPressure>(condition.condition);
-    const double rise = upwards * face_distance_[p];
+    const double rise = face.distance * face.normal[1];
     const double height = mixture.soil.particles().y[p] + (held.at_face ? rise : 0.0);
     const double full = held.total_head ? unit_weight * (held.total_head->at(time) - height) : held.pressure.at(time);
     const double start = first_pressure_[p] - (held.at_face ? unit_weight * rise : 0.0);
     const double pressure = start + share * (full - start);
     if (held.at_face) {
-      actions.water.faces.push_back({particle, index, pressure, rise, face_distance_[p], spacing_});
+      actions.water.faces.push_back({particle, index, pressure, rise, face.distance, face.area});
     } else {
       actions.water.held.push_back({particle, index, pressure});
     }

@@ -59,7 +59,7 @@ class BoundaryConditions {
   std::vector<Traction> tractions_;
   Seismic seismic_;
   double gravity_, unit_weight_;
-  std::vector<std::vector<std::size_t>> water_particles_, traction_particles_;
+  std::vector<std::vector<Face>> water_faces_, traction_faces_;
   std::vector<std::string> names_;
   std::vector<double> change_times_;
   std::vector<double> first_pressure_;

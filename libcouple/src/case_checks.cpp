@@ -177,8 +177,8 @@ void check_shores(const Input& place, const Case& input, const InitialParticles&
     if (reservoir == nullptr || share.gap_after(i) < least_gap_cells * input.domain.cell_size) continue;
     const PlaceRange& where = input.water_boundaries[i].where;
     const double level = reservoir->level.highest();
-    for (const std::size_t p : particles_at({}, particles)) {
-      const double x = particles.x[p], ground = particles.y[p] + particles.face_distance[p];
+    for (const Face& face : faces_at({}, input, particles)) {
+      const double x = particles.x[face.particle], ground = particles.y[face.particle] + face.outwards;
       if ((x >= where.from && x <= where.to) || ground >= level || share.of(i, x).value == 0.0) continue;
       place.item(i).problem(fmt::format(
           "the ground at x = {}, y = {} lies beyond \"from\" and \"to\", but below the highest level, {}; "
@@ -288,8 +288,8 @@ bool is_held(const Case& input, const Point& ground, double level) {
 /// Water above the ground that nothing holds there would fall on the soil as pressure without weight.
 void check_water_table(const Input& place, const Case& input, const InitialParticles& particles, const Frame& frame) {
   const double tolerance = particles.spacing;
-  for (const std::size_t p : particles_at({}, particles)) {
-    const Point ground{particles.x[p], particles.y[p] + particles.face_distance[p]};
+  for (const Face& face : faces_at({}, input, particles)) {
+    const Point ground{particles.x[face.particle], particles.y[face.particle] + face.outwards};
     const auto level = water_level_at(input, ground);
     if (!level || *level <= ground[1] + tolerance || is_held(input, ground, *level - tolerance)) continue;
     const bool uniform = std::holds_alternative<UniformWater>(input.initial_water);

@@ -7,9 +7,9 @@
 
 namespace slope::couple {
 
-GroundSurface::GroundSurface(const InitialParticles& particles, const std::vector<std::size_t>& uppermost) {
-  for (const std::size_t p : uppermost)
-    points_.push_back({particles.x[p], particles.y[p] + particles.face_distance[p]});
+GroundSurface::GroundSurface(const InitialParticles& particles, const std::vector<Face>& uppermost) {
+  for (const Face& face : uppermost)
+    points_.push_back({particles.x[face.particle], particles.y[face.particle] + face.outwards});
   std::ranges::sort(points_);
 }
 

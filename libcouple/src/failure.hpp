@@ -12,7 +12,7 @@ namespace slope::couple {
 /// The ground surface at the start: the faces of the uppermost particles, from left to right.
 class GroundSurface {
  public:
-  GroundSurface(const InitialParticles& particles, const std::vector<std::size_t>& uppermost);
+  GroundSurface(const InitialParticles& particles, const std::vector<Face>& uppermost);
   /// Distance of a point from the surface, normal to it (m).
   [[nodiscard]] double depth(double x, double y) const;
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <optional>
 #include <tuple>
 
 #include "cell_cut.hpp"
@@ -256,6 +257,91 @@ class SliverJoin {
   std::map<std::array<int, 2>, std::size_t> at_;
 };
 
+/// Whether the particles of a place are the outermost of columns (or else of rows), and the largest coordinate is
+/// outside.
+struct Direction {
+  explicit Direction(Place place)
+      : by_column(place != Place::left && place != Place::right),
+        upwards(place != Place::left && place != Place::base) {}
+
+  bool by_column, upwards;
+};
+
+/// The edges of all outlines that lie across a direction, by columns as they are, by rows with x and y exchanged.
+std::vector<Edge> edges_across(const std::vector<Region>& regions, bool by_column) {
+  const std::size_t along = by_column ? 0 : 1;
+  std::vector<Edge> edges;
+  for (const auto& [soil, polygon] : regions) {
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+      const Point &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+      const Point first{a[along], a[1 - along]}, second{b[along], b[1 - along]};
+      if (first[0] == second[0]) continue;
+      edges.push_back({std::min(first, second), std::max(first, second), 0});
+    }
+  }
+  return edges;
+}
+
+/// The outermost of the outlines, as seen from outside.
+class OuterLine {
+ public:
+  OuterLine(std::vector<Edge> edges, const Direction& direction)
+      : edges_(std::move(edges)), sign_(direction.upwards ? 1.0 : -1.0) {}
+
+  struct At {
+    double outwards, slope;  // coordinate, positive outwards (m); of it along the line
+  };
+  [[nodiscard]] std::optional<At> at(double along) const {
+    std::optional<At> found;
+    for (const Edge& edge : edges_) {
+      if (along < edge.left[0] || along > edge.right[0]) continue;
+      const double outwards = sign_ * edge.height_at(along);
+      if (found && outwards <= found->outwards) continue;
+      found = {outwards, sign_ * (edge.right[1] - edge.left[1]) / (edge.right[0] - edge.left[0])};
+    }
+    return found;
+  }
+
+  /// The face of a particle in a column that begins somewhere; none if the line is not outside of the particle.
+  [[nodiscard]] std::optional<Face> face_of(const Point& particle, double begin, double spacing) const {
+    constexpr int samples = 8;  // of the inclination, whose mean counts: outlines may have corners
+    const auto here = at(particle[0]);
+    double slope = 0.0;
+    int found = 0;
+    for (int k = 0; k < samples; ++k) {
+      const auto line = at(begin + (k + 0.5) / samples * spacing);
+      if (!line) continue;
+      slope += line->slope;
+      ++found;
+    }
+    if (!here || found == 0) return std::nullopt;
+    slope /= found;
+    const double stretch = std::hypot(1.0, slope), outwards = here->outwards - sign_ * particle[1];
+    if (outwards < least_face * spacing) return std::nullopt;
+    return Face{0, {-slope / stretch, sign_ / stretch}, outwards / stretch, spacing * stretch, outwards};
+  }
+
+ private:
+  static constexpr double least_face = 0.05;  // spacings; what is nearer lies beside a cliff
+  std::vector<Edge> edges_;
+  double sign_;
+};
+
+/// Distances from the ground, of all that the free surface may begin with: the uppermost particles, and those that are
+/// cut.
+void find_ground(const Lattice& lattice, const std::vector<Region>& regions, InitialParticles& particles) {
+  const OuterLine ground(edges_across(regions, true), Direction(Place::ground_surface));
+  const double whole = lattice.spacing * lattice.spacing;
+  std::vector<char> near(particles.x.size(), 0);
+  for (const std::size_t p : particles_at({}, particles)) near[p] = 1;
+  for (std::size_t p = 0; p < particles.x.size(); ++p) {
+    if (near[p] == 0 && particles.volume[p] == whole) continue;
+    const double begin = lattice.corner(particles.column[p], 0)[0];
+    const auto face = ground.face_of({particles.x[p], particles.y[p]}, begin, lattice.spacing);
+    if (face && face->distance < lattice.spacing) particles.face_distance[p] = face->distance;
+  }
+}
+
 }  // namespace
 
 InitialParticles fill_regions(const Domain& domain, const std::vector<Region>& regions) {
@@ -279,13 +365,12 @@ InitialParticles fill_regions(const Domain& domain, const std::vector<Region>& r
     particles.row.push_back(piece.row);
     particles.face_distance.push_back(0.5 * lattice.spacing * (piece.volume / whole));
   }
+  if (domain.surface_particles == SurfaceParticles::clipped) find_ground(lattice, regions, particles);
   return particles;
 }
 
 std::vector<std::size_t> particles_at(const PlaceRange& where, const InitialParticles& particles) {
-  const bool top = where.place == Place::ground_surface || where.place == Place::free_surface;
-  const bool by_column = top || where.place == Place::base;
-  const bool outermost_is_largest = top || where.place == Place::right;
+  const auto [by_column, outermost_is_largest] = Direction(where.place);
   const std::vector<int>& line = by_column ? particles.column : particles.row;
   const std::vector<double>& across = by_column ? particles.x : particles.y;
   const std::vector<int>& outwards = by_column ? particles.row : particles.column;
@@ -302,6 +387,29 @@ std::vector<std::size_t> particles_at(const PlaceRange& where, const InitialPart
     if (across[p] >= where.from - margin && across[p] <= where.to + margin) chosen.push_back(p);
   }
   return chosen;
+}
+
+std::vector<Face> faces_at(const PlaceRange& where, const Case& input, const InitialParticles& particles) {
+  const Direction direction(where.place);
+  const double sign = direction.upwards ? 1.0 : -1.0;
+  const OuterLine line(edges_across(input.regions, direction.by_column), direction);
+  const Lattice lattice(input.domain);
+  std::vector<Face> faces;
+  for (const std::size_t p : particles_at(where, particles)) {
+    const double across = direction.by_column ? particles.x[p] : particles.y[p];
+    const double out = direction.by_column ? particles.y[p] : particles.x[p];
+    const Point corner = lattice.corner(particles.column[p], particles.row[p]);
+    std::optional<Face> face;
+    if (input.domain.surface_particles == SurfaceParticles::clipped) {
+      face = line.face_of({across, out}, corner[direction.by_column ? 0 : 1], particles.spacing);
+    }
+    const double straight = particles.face_distance[p];
+    if (!face) face = Face{0, {0.0, sign}, straight, particles.spacing, straight};
+    face->particle = p;
+    if (!direction.by_column) std::swap(face->normal[0], face->normal[1]);
+    faces.push_back(*face);
+  }
+  return faces;
 }
 
 }  // namespace slope::couple

@@ -79,7 +79,7 @@ struct Simulation::State {
         conditions(input, particles),
         scheme(make_scheme(input)),
         clock(clock_limits(scheme, input, mixture), scale, conditions.change_times()),
-        surface(particles, particles_at({}, particles)),
+        surface(particles, faces_at({}, input, particles)),
         ground(input.domain, input.regions),
         runaway(input.onset_displacement, at_once * scale.period()),
         rest(std::sqrt(scale.height / scale.gravity)),

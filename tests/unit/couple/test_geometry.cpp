@@ -187,14 +187,15 @@ TEST(ClippedParticles, OfALatticeAlignedRegionAreThoseOfTheLattice) {
   const std::vector<Region> regions{{0, {{0, 0}, {2, 0}, {2, 1.5}, {0.75, 1.5}, {0.75, 1}, {0, 1}}}, {1, unit_square}};
   for (const int per_cell : {1, 4, 9, 16}) {
     Domain domain{{0.0, 0.0}, {2.0, 2.0}, 0.25, per_cell};
+    domain.surface_particles = SurfaceParticles::lattice;
     const auto lattice = fill_regions(domain, regions);
     const auto exact = fill_regions(clipped(domain), regions);
     EXPECT_EQ(exact.x, lattice.x);
     EXPECT_EQ(exact.y, lattice.y);
     EXPECT_EQ(exact.volume, lattice.volume);
     EXPECT_EQ(exact.soil, lattice.soil);
-    EXPECT_EQ(exact.face_distance, lattice.face_distance);
-    EXPECT_EQ(exact.face_distance, std::vector<double>(exact.x.size(), 0.5 * exact.spacing));
+    EXPECT_EQ(lattice.face_distance, std::vector<double>(lattice.x.size(), 0.5 * lattice.spacing));
+    for (const double distance : exact.face_distance) EXPECT_NEAR(distance, 0.5 * exact.spacing, 1e-12);
   }
 }
 
@@ -206,6 +207,51 @@ TEST(ClippedParticles, OfFlatGroundBetweenLatticeLinesLieHalfTheirHeightBelowIt)
     for (const std::size_t p : surface) {
       EXPECT_NEAR(particles.y[p] + particles.face_distance[p], height, 1.0e-12) << "the face is the ground";
     }
+  }
+}
+
+/// A slope of some inclination across a domain of 6 m, 3 m of soil at its foot.
+Case slope_of(double gradient) {
+  Case input;
+  input.domain = {{0.0, 0.0}, {6.0, 20.0}, 0.5, 4};
+  input.regions = {{0, {{0, 0}, {6, 0}, {6, 3 + 6 * gradient}, {0, 3}}}};
+  return input;
+}
+
+TEST(FacesAt, AreTheGroundAsItIsDrawn) {
+  for (const double gradient : {0.0, 0.1, 0.35, 0.577, 1.0, 1.3, 2.5}) {
+    const Case input = slope_of(gradient);
+    const auto particles = fill_regions(input.domain, input.regions);
+    double width = 0.0;
+    for (const Face& face : faces_at({Place::ground_surface}, input, particles)) {
+      const double x = particles.x[face.particle], y = particles.y[face.particle];
+      const Point foot{x + face.distance * face.normal[0], y + face.distance * face.normal[1]};
+      EXPECT_NEAR(foot[1], 3 + gradient * foot[0], 1e-12) << gradient;
+      EXPECT_NEAR(y + face.outwards, 3 + gradient * x, 1e-12);
+      EXPECT_NEAR(std::hypot(face.normal[0], face.normal[1]), 1.0, 1e-12);
+      EXPECT_NEAR(particles.face_distance[face.particle], face.distance, 1e-12);
+      width += face.area * face.normal[1];
+    }
+    EXPECT_NEAR(width, 6.0, 1e-12) << "seen from above";
+  }
+}
+
+TEST(FacesAt, OfASideAndTheBaseAreTheirOutlines) {
+  Case input = slope_of(0.5);
+  input.regions = {{0, {{0.3, 0.1}, {6, 0.1}, {6, 3}, {0.8, 3}}}};
+  const auto particles = fill_regions(input.domain, input.regions);
+  double height = 0.0;
+  for (const Face& face : faces_at({Place::left}, input, particles)) {
+    const double x = particles.x[face.particle], y = particles.y[face.particle];
+    const Point foot{x + face.distance * face.normal[0], y + face.distance * face.normal[1]};
+    EXPECT_NEAR(foot[0], 0.3 + 0.5 * (foot[1] - 0.1) / 2.9, 1e-12);
+    EXPECT_LT(face.normal[0], 0.0);
+    height -= face.area * face.normal[0];
+  }
+  EXPECT_NEAR(height, 3.0, 1e-12) << "of twelve rows";
+  for (const Face& face : faces_at({Place::base}, input, particles)) {
+    EXPECT_NEAR(particles.y[face.particle] - face.distance, 0.1, 1e-12);
+    EXPECT_EQ(face.normal[1], -1.0);
   }
 }
 

@@ -13,8 +13,8 @@ struct InitialParticles {
   std::vector<double> volume;         ///< per metre of thickness (m2)
   std::vector<int> soil;              ///< index into Case::soils
   std::vector<int> column, row;       ///< of the lattice
-  std::vector<double> face_distance;  ///< from a face of the particle's column or row (m): half of the volume over the
-                                      ///< spacing
+  std::vector<double> face_distance;  ///< of a free surface, normal to it (m): of the ground as it is drawn where that
+                                      ///< is nearer than a spacing, else half of the volume over the spacing
   double spacing = 0.0;               ///< lattice spacing (m)
 };
 
@@ -25,12 +25,24 @@ struct InitialParticles {
 ///   to the neighbour that it touches. Where soils meet, a square belongs to the one with the largest share of it.
 [[nodiscard]] InitialParticles fill_regions(const Domain& domain, const std::vector<Region>& regions);
 
-/// The particles that a run of a case starts with. Copies of the case that were moved or turned to their mirror image have
-/// the same particles, moved and mirrored, in the same order.
+/// Where a particle of a place meets what is outside: the ground, or another side, as it is drawn.
+struct Face {
+  std::size_t particle = 0;
+  Point normal{0.0, 1.0};  ///< outwards
+  double distance = 0.0;   ///< of the particle from it, along the normal (m), > 0
+  double area = 0.0;  ///< within the particle's column or row, per metre of thickness (m): a spacing or, inclined, more
+  double outwards = 0.0;  ///< of the particle from it, vertically or on a side horizontally (m), > 0
+};
+
+/// The particles that a run of a case starts with. Copies of the case that were moved or turned to their mirror image
+/// have the same particles, moved and mirrored, in the same order.
 [[nodiscard]] InitialParticles first_particles(const Case& input);
 
 /// Particles of a place: the uppermost of each lattice column (ground_surface, free_surface), the lowest (base),
 /// the outermost of each lattice row (left, right); limited to the range.
 [[nodiscard]] std::vector<std::size_t> particles_at(const PlaceRange& where, const InitialParticles& particles);
+
+/// The faces of the particles of a place, in their order. Particles of a whole lattice have that of their square.
+[[nodiscard]] std::vector<Face> faces_at(const PlaceRange& where, const Case& input, const InitialParticles& particles);
 
 }  // namespace slope::couple
