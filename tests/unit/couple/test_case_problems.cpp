@@ -99,7 +99,7 @@ const Mistake physics[] = {
      "soils.sandy_clay.strength.maximum_cohesion_increase",
      "missing, and cohesion_suction_rate has no effect without it; write for example \"maximum_cohesion_increase: 100 "
      "kPa\", or remove both",
-     -4},
+     -5},
     {"SofteningBackwards", "cohesion: 1 kPa\n",
      "cohesion: 1 kPa\n      softening: {residual_cohesion: 0 kPa, residual_friction_angle: 20 deg, "
      "from_plastic_strain: 10 %, to_plastic_strain: 1 %}\n",

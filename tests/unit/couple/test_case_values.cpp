@@ -249,7 +249,8 @@ TEST(CaseValues, TheHistoryHasAThousandRowsUnlessTheCaseSays) {
   EXPECT_EQ(read_case(folder.write("slope.yaml", content)).output.history_interval, 2.4);
   content.replace(content.find("time: 40 min"), 12, "time: 1 min");
   EXPECT_EQ(read_case(folder.write("short.yaml", content)).output.history_interval, 1.0);
-  content.replace(content.find("time: 1 min"), 11, "time: 100 d");
+  content.replace(content.find("  time: 1 min"), 13, "  time: 100 d");
+  content.replace(content.find("snapshot_interval: 1 min"), 24, "snapshot_interval: 1 d");
   EXPECT_EQ(read_case(folder.write("long.yaml", content)).output.history_interval, 8640.0)
       << "beyond a million seconds";
 }
