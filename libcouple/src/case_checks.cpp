@@ -6,6 +6,7 @@
 
 #include "case_format.hpp"
 #include "frame.hpp"
+#include "hyetograph_file.hpp"
 #include "initial_state.hpp"
 #include "polygon.hpp"
 #include "slope/couple/geometry.hpp"
@@ -191,6 +192,25 @@ void check_shores(const Input& place, const Case& input, const InitialParticles&
   }
 }
 
+/// The last row of a table of rain holds for ever. Gauges write what fell in each of their intervals: a run that goes
+/// on after the last of them must be told what comes then.
+void check_rain_ends(const Input& place, const Case& input) {
+  for (std::size_t i = 0; i < input.water_boundaries.size(); ++i) {
+    const auto* rain = std::get_if<Rain>(&input.water_boundaries[i].condition);
+    if (rain == nullptr) continue;
+    const Input where = place.item(i).at("rain");
+    const RainStep& last = rain->hyetograph.back();
+    if (!where.has("file") || where.has("after_table") || last.intensity == 0.0) continue;
+    const double end = last.time + usual_step(rain->hyetograph);
+    if (end < never && input.stop.time <= end * (1.0 + 1.0e-9)) continue;
+    where.at("file").problem(
+        fmt::format("the last row, {:.4g} mm/h from {:g} h on, would hold until stop.time, {:g} h; end the table with "
+                    "a row of 0, or "
+                    "say \"after_table: dry\" or \"after_table: last_row\"",
+                    last.intensity * 3.6e6, last.time / 3600.0, input.stop.time / 3600.0));
+  }
+}
+
 void check_steady(const Input& root, const Case& input) {
   const bool steady = std::holds_alternative<SteadyWater>(input.initial_water);
   const Input place = root.at("water_boundaries");
@@ -331,6 +351,7 @@ void check_case(const Input& root, const Case& input) {
     check_overlaps(water, input.water_boundaries);
     if (root.clean("initial")) check_steady(root, input);
     if (root.clean("coupling") && root.clean("water_boundaries")) check_reservoirs(water, input);
+    if (root.clean("stop")) check_rain_ends(water, input);
   }
   if (root.clean("loads")) check_names(root.at("loads"), input.tractions);
   if (soil_is_known) {

@@ -31,6 +31,7 @@ struct RainText {
   std::optional<double> intensity;
   std::vector<RainStep> hyetograph;
   std::string file;
+  std::optional<bool> dry_after_table;
 };
 
 using Places = std::vector<std::pair<std::string, Place>>;
@@ -146,6 +147,25 @@ Format<Reservoir> reservoir_format() {
   return record.format();
 }
 
+void read_table(const Input& input, const RainText& text, Rain& rain) {
+  const auto path = std::filesystem::path(input.file()).parent_path() / text.file;
+  const auto read = read_hyetograph(path);
+  if (const auto* wrong = std::get_if<std::string>(&read)) {
+    input.at("file").problem(*wrong);
+    return;
+  }
+  const auto& table = std::get<RainTable>(read);
+  for (const RainTable::Note& note : table.warnings)
+    input.at("file").warning_in(path.string(), note.line, note.message);
+  rain.hyetograph = table.steps;
+  if (!text.dry_after_table || !*text.dry_after_table) return;
+  if (table.steps.size() < 2) {
+    input.at("after_table").problem("a table of one row does not say how long that lasts; add a row of 0 at its end");
+    return;
+  }
+  rain.hyetograph.push_back({table.steps.back().time + usual_step(table.steps), 0.0});
+}
+
 void from_text(const Input& input, const RainText& text, Rain& rain) {
   rain = text.common;
   const int given = text.intensity.has_value() + !text.hyetograph.empty() + !text.file.empty();
@@ -154,20 +174,21 @@ void from_text(const Input& input, const RainText& text, Rain& rain) {
                               fmt::join(rain_conditions, ", "), given == 0 ? "none" : std::to_string(given)));
     return;
   }
+  if (text.dry_after_table && text.file.empty()) {
+    input.at("after_table").problem("has a meaning only with a file; remove it");
+  }
   rain.hyetograph = text.hyetograph;
   if (text.intensity) rain.hyetograph = {{0.0, *text.intensity}};
   check_times(input.at("hyetograph"), text.hyetograph);
-  if (text.file.empty()) return;
-  const auto read = read_hyetograph(std::filesystem::path(input.file()).parent_path() / text.file);
-  if (const auto* wrong = std::get_if<std::string>(&read)) {
-    input.at("file").problem(*wrong);
-    return;
+  for (std::size_t i = 0; i < rain.hyetograph.size(); ++i) {
+    const auto doubt = doubt_about(rain.hyetograph[i].intensity);
+    if (doubt) (text.intensity ? input.at("intensity") : input.at("hyetograph").item(i)).warning(*doubt);
   }
-  rain.hyetograph = std::get<std::vector<RainStep>>(read);
+  if (!text.file.empty()) read_table(input, text, rain);
 }
 
 RainText to_text(const Rain& rain) {
-  RainText text{rain, {}, {}, {}};
+  RainText text{rain, {}, {}, {}, {}};
   const bool constant = rain.hyetograph.size() == 1 && rain.hyetograph.front().time == 0.0;
   if (constant) {
     text.intensity = rain.hyetograph.front().intensity;
@@ -205,6 +226,9 @@ Format<Rain> rain_format() {
       .optional("file", &RainText::file, path_text(),
                 "CSV file of such steps, path from the file it stands in, with a header that names the units, such as "
                 "time_h,intensity_mm_per_h")
+      .optional("after_table", &RainText::dry_after_table, maybe(choice<bool>({{"dry", true}, {"last_row", false}})),
+                "what comes after the last row of the file, which lasts as long as most others, if it is not 0 and the "
+                "run goes on: dry, or last_row: the same for ever")
       .optional("ponding_depth", common(&Rain::ponding_depth), quantity(Dimension::length, at_least(0.0)),
                 "of the water that stays on the ground while rain runs off")
       .optional("evaporation_limit", common(&Rain::evaporation_limit), quantity(Dimension::pressure, above(0.0)),

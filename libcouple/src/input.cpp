@@ -32,14 +32,27 @@ std::string Problem::text() const {
 InputError::InputError(std::vector<Problem> problems)
     : std::runtime_error(all_texts(problems)), problems_(std::move(problems)) {}
 
-Input::Input(const Document& root, const std::string& file, std::vector<Problem>& problems)
-    : node_(&root), file_(&file), problems_(&problems) {}
+Input::Input(const Document& root, const std::string& file, std::vector<Problem>& problems,
+             std::vector<Problem>* warnings)
+    : node_(&root), file_(&file), problems_(&problems), warnings_(warnings) {}
 
 Input::Input(const Input& parent, const Document& node, std::string key)
-    : node_(&node), key_(std::move(key)), file_(parent.file_), problems_(parent.problems_) {}
+    : node_(&node),
+      key_(std::move(key)),
+      file_(parent.file_),
+      problems_(parent.problems_),
+      warnings_(parent.warnings_) {}
 
 void Input::problem(std::string message) const {
   problems_->push_back({node_->file, node_->line, key_, std::move(message)});
+}
+
+void Input::warning(std::string message) const {
+  warning_in(node_->file, node_->line, std::move(message));
+}
+
+void Input::warning_in(const std::string& file, int line, std::string message) const {
+  if (warnings_ != nullptr) warnings_->push_back({file, line, key_, std::move(message)});
 }
 
 void Input::problem_in(const std::string& file, int line, std::string message) const {

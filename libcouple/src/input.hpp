@@ -12,7 +12,9 @@ namespace slope::couple {
 /// A place in the case file: a node, its dotted key, and the list that takes the problems found there.
 class Input {
  public:
-  Input(const Document& root, const std::string& file, std::vector<Problem>& problems);
+  /// @param warnings  takes what may be meant but is seldom right; null: nobody wants to know
+  Input(const Document& root, const std::string& file, std::vector<Problem>& problems,
+        std::vector<Problem>* warnings = nullptr);
 
   [[nodiscard]] const Document& node() const { return *node_; }
   [[nodiscard]] const std::string& key() const { return key_; }
@@ -21,6 +23,10 @@ class Input {
 
   /// Says what is wrong here.
   void problem(std::string message) const;
+  /// Says what may be meant here but is seldom right.
+  void warning(std::string message) const;
+  /// The same of a line of another file that this place names.
+  void warning_in(const std::string& file, int line, std::string message) const;
   /// Says what is wrong in a line of another file that this place names.
   void problem_in(const std::string& file, int line, std::string message) const;
   /// Says what is wrong with an entry that is missing from this map.
@@ -42,6 +48,7 @@ class Input {
   std::string key_;
   const std::string* file_;
   std::vector<Problem>* problems_;
+  std::vector<Problem>* warnings_;
 };
 
 /// The file that documents from --set name.

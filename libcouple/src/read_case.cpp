@@ -33,7 +33,8 @@ void add_figure_times(Case& input) {
 
 }  // namespace
 
-Case read_case(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+Case read_case(const std::filesystem::path& file, const std::vector<std::string>& overrides,
+               std::vector<Problem>* warnings) {
   const std::string name = file.string();
   std::vector<Problem> problems;
   auto [document, files] = load_case(file, problems);
@@ -42,17 +43,17 @@ Case read_case(const std::filesystem::path& file, const std::vector<std::string>
 
   Case result;
   result.path = name;
-  const Input root(document, name, problems);
+  const Input root(document, name, problems, warnings);
   case_format().read(root, result);
+  if (!root.at("output").has("history_interval")) {
+    result.output.history_interval = std::max(1.0, 1.0e-3 * result.stop.time);
+  }
   if (document.kind == Document::Kind::map) check_case(root, result);
   if (!problems.empty()) {
     sort_by_place(problems, files);
     throw InputError(std::move(problems));
   }
   add_figure_times(result);
-  if (!root.at("output").has("history_interval")) {
-    result.output.history_interval = std::max(1.0, 1.0e-3 * result.stop.time);
-  }
   return result;
 }
 

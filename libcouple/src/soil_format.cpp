@@ -49,6 +49,17 @@ void check_residual(const Input& strength, const char* residual, double value, c
                            quantity_text(value, dimension)));
 }
 
+/// Two keys of which one without the other has no effect.
+void check_pair(const Input& input, const char* one, const char* one_example, const char* other,
+                const char* other_example) {
+  if (input.has(one) == input.has(other)) return;
+  const bool first = input.has(one);
+  input.problem_with(
+      first ? other : one,
+      fmt::format("missing, and {} has no effect without it; write for example \"{}: {}\", or remove both",
+                  first ? one : other, first ? other : one, first ? other_example : one_example));
+}
+
 /// The fields of Drucker-Prager and Mohr-Coulomb.
 template <class Law>
 Record<Law> frictional_record() {
@@ -66,13 +77,14 @@ Record<Law> frictional_record() {
                 "phi', friction angle at zero suction", "25 deg")
       .required("dilatancy_angle", &Law::dilatancy_angle, quantity(Dimension::angle, from_to_below(0.0, right_angle)),
                 "psi, not above the friction angle", "0 deg")
-      .required("maximum_cohesion_increase", &Law::maximum_cohesion_increase,
-                quantity(Dimension::pressure, at_least(0.0)), "largest increase of the cohesion by suction (Eq. 15)",
-                "100 kPa")
-      .required("cohesion_suction_rate", &Law::cohesion_suction_rate, quantity(Dimension::number, at_least(0.0)),
-                "B, how fast the cohesion grows with suction over one atmosphere (Eq. 15)", "0.07")
-      .required("friction_angle_suction_rate", &Law::friction_angle_suction_rate, quantity(Dimension::angle),
-                "A, increase of the friction angle per atmosphere of suction (Eq. 16)", "0 deg")
+      .optional(
+          "maximum_cohesion_increase", &Law::maximum_cohesion_increase, quantity(Dimension::pressure, at_least(0.0)),
+          "Delta c_max, largest increase of the cohesion by suction s: c = c' + Delta c_max (1 - exp(-B s / p_a)), "
+          "p_a = 101.325 kPa (Eq. 15); without it suction adds nothing, which is cautious")
+      .optional("cohesion_suction_rate", &Law::cohesion_suction_rate, quantity(Dimension::number, at_least(0.0)),
+                "B, how fast the cohesion grows with suction: c = c' + Delta c_max (1 - exp(-B s / p_a)) (Eq. 15)")
+      .optional("friction_angle_suction_rate", &Law::friction_angle_suction_rate, quantity(Dimension::angle),
+                "A, increase of the friction angle per atmosphere of suction: phi = phi' + A s / p_a (Eq. 16)")
       .optional("softening", &Law::softening, maybe(with_softening_range(softening).format()),
                 "brittle soil: c' and phi' fall linearly with plastic strain, and psi to zero with them; what suction "
                 "adds stays")
@@ -83,6 +95,7 @@ Record<Law> frictional_record() {
                                    quantity_text(soil.friction_angle, Dimension::angle),
                                    quantity_text(soil.dilatancy_angle, Dimension::angle)));
         }
+        check_pair(input, "maximum_cohesion_increase", "100 kPa", "cohesion_suction_rate", "0.07");
         if (!soil.softening) return;
         check_residual(input, "residual_cohesion", soil.softening->residual_cohesion, "cohesion", soil.cohesion,
                        Dimension::pressure);

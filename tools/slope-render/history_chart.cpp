@@ -95,6 +95,17 @@ void draw_onset(Canvas& canvas, const PlotFrame& frame, double onset, const Time
   canvas.text({centre, box.top + 0.85 * em}, note, {.anchor = Anchor::centre});
 }
 
+/// A dotted line and its name beside it: to the left, where curves are low until then, if there is room.
+void draw_other_onset(Canvas& canvas, const PlotFrame& frame, const TimeMark& mark, const TimeUnit& unit) {
+  const double em = canvas.em();
+  const double x = frame.at(mark.time / unit.seconds, 0.0).x, top = frame.box.top;
+  canvas.stroke({{x, frame.box.bottom}, {x, top}}, {0.08 * em, ink, {0.1 * em, 0.3 * em}});
+  const std::string note = mark.name + ", t = " + time_text(mark.time, unit);
+  const bool fits = x - canvas.text_width(note) - em > frame.box.left;
+  canvas.text({fits ? x - 0.5 * em : x + 0.5 * em, top - 0.9 * em}, note,
+              {.anchor = fits ? Anchor::right : Anchor::left});
+}
+
 constexpr double sample_length = 2.4;  // em
 
 /// Room (pixels) to the right of the frame that the legend needs.
@@ -184,6 +195,9 @@ void write_history_chart(const std::filesystem::path& file, int width, const His
   if (chart.onset) {
     draw_onset(canvas, frame, *chart.onset, unit, frame.box.left);
   }
+  if (chart.other_onset) {
+    draw_other_onset(canvas, frame, *chart.other_onset, unit);
+  }
   canvas.fitted_text({frame.box.left, canvas.height() - 1.05 * em}, chart.title, width - frame.box.left - em);
   canvas.write_png(file);
 }
@@ -218,6 +232,9 @@ void write_stacked_histories(const std::filesystem::path& file, int width, const
     canvas.text({frame.box.left, top + 0.85 * em}, caption);
     if (charts[i].onset) {
       draw_onset(canvas, frame, *charts[i].onset, unit, frame.box.left + canvas.text_width(caption) + 1.2 * em);
+    }
+    if (charts[i].other_onset) {
+      draw_other_onset(canvas, frame, *charts[i].other_onset, unit);
     }
     top -= panel_height + between;
   }

@@ -16,13 +16,20 @@ struct Curve {
   std::vector<double> values;
 };
 
+/// A time that a chart marks.
+struct TimeMark {
+  double time = 0.0;  ///< (s)
+  std::string name;   ///< before the time
+};
+
 /// Curves over time.
 struct HistoryChart {
   std::string title;          ///< of the run
   std::string y_title;        ///< with unit
   std::vector<double> times;  ///< (s)
   std::vector<Curve> curves;
-  std::optional<double> onset;  ///< of failure (s)
+  std::optional<double> onset;                         ///< of failure (s)
+  std::optional<TimeMark> other_onset = std::nullopt;  ///< by the criterion that the case did not choose
 };
 
 /// @throws couple::FileError if it cannot be written.

@@ -32,7 +32,11 @@ fs::path out_or(const std::string& out, const fs::path& otherwise) {
 int draw_run(const fs::path& folder, const std::string& out, PictureOptions options) {
   const auto run = read_run_folder(folder);
   options.folder = out_or(out, run.path / "figures");
-  for (const auto& file : write_pictures(run, options)) {
+  const Pictures pictures = write_pictures(run, options);
+  for (const auto& note : pictures.notes) {
+    std::fprintf(stderr, "%s\n", note.c_str());
+  }
+  for (const auto& file : pictures.written) {
     std::puts(file.c_str());
   }
   return 0;

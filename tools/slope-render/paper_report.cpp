@@ -83,6 +83,10 @@ class Report {
     return text + " " + unit;
   }
 
+  static std::string known(double value, const char* format) {
+    return std::isnan(value) ? "-" : fmt::format(fmt::runtime(format), value);
+  }
+
   static std::string row(const char* claim, const std::string& measured, std::optional<bool> holds) {
     return fmt::format("| {} | {} | {} |\n", claim, measured,
                        holds ? (*holds ? "holds" : "does not hold") : "not judged");
@@ -100,17 +104,22 @@ class Report {
   [[nodiscard]] std::string runs_table() const {
     std::string text =
         "## The runs\n\n"
-        "Onset: the largest displacement passes the case's criterion. Zone: particles whose deviatoric strain passes "
-        "the "
-        "case's threshold.\n\n"
-        "| case | onset | 10 cm | onset at x, y | zone at 10 cm, length x height | end of the run | zone at the end | "
-        "suction left | water budget error |\n|---|---|---|---|---|---|---|---|---|\n";
+        "Onset: by the case's criterion. Runs away: the kink of the largest displacement. Zone: particles whose "
+        "deviatoric strain passes the case's threshold. Run-out: advance beyond the first toe; slid: what moved by "
+        "more "
+        "than the onset displacement.\n\n"
+        "| case | onset | runs away | 10 cm | onset at x, y | zone at 10 cm, length x height | end of the run | "
+        "run-out | "
+        "slid | zone at the end | suction left | water budget error "
+        "|\n|---|---|---|---|---|---|---|---|---|---|---|---|\n";
     for (const auto& [name, f] : figures_) {
       text += fmt::format(
-          "| {} | {:.1f} s | {:.1f} s | {:.1f} m, {:.1f} m | {:.1f} x {:.1f} m | {:.2f} m moved | {:.1f} x {:.1f} m, "
-          "{:.1f} m2 | {:.1f} kPa | {:.0e} |\n",
-          name, f.onset, f.time_of(0.1), f.x, f.y, f.early.length, f.early.height, f.displacement, f.last.length,
-          f.last.height, f.last.area, f.last.suction * 1e-3, std::abs(f.budget));
+          "| {} | {:.1f} s | {} | {:.1f} s | {:.1f} m, {:.1f} m | {:.1f} x {:.1f} m | {:.2f} m moved | {} | {} | "
+          "{:.1f} x "
+          "{:.1f} m, {:.1f} m2 | {:.1f} kPa | {:.0e} |\n",
+          name, f.onset, known(f.runaway, "{:.1f} s"), f.time_of(0.1), f.x, f.y, f.early.length, f.early.height,
+          f.displacement, known(f.run_out, "{:.2f} m"), known(f.slid, "{:.1f} m2"), f.last.length, f.last.height,
+          f.last.area, f.last.suction * 1e-3, std::abs(f.budget));
     }
     return text + "\n";
   }

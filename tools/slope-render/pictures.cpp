@@ -23,10 +23,17 @@ struct Moment {
   Snapshot snapshot;
 };
 
-std::vector<Moment> moments_at(const RunFolder& run, const std::vector<double>& times) {
+constexpr double same_moment = 1.0e-6;  // share of a time by which a snapshot may be beside it
+
+std::vector<Moment> moments_at(const RunFolder& run, const std::vector<double>& times,
+                               std::vector<std::string>& notes) {
   std::vector<Moment> moments;
   for (const double time : times) {
     const Snapshot& snapshot = nearest_snapshot(run.snapshots, time);
+    if (std::abs(snapshot.time - time) > same_moment * std::max(time, 1.0)) {
+      notes.push_back(fmt::format("t = {:.10g} s: there is no snapshot; the nearest one, of {:.10g} s, was drawn", time,
+                                  snapshot.time));
+    }
     moments.push_back({fmt::format("{}s", time), "t = " + time_text(snapshot.time), snapshot});
   }
   return moments;
@@ -59,9 +66,9 @@ std::vector<Field> chosen_fields(const std::vector<std::string>& names) {
   return fields;
 }
 
-void write_contours(const RunFolder& run, const PictureOptions& options, std::vector<fs::path>& written) {
+void write_contours(const RunFolder& run, const PictureOptions& options, Pictures& pictures) {
   const auto& times = options.times.empty() ? run.input.figures.contour_times : options.times;
-  const auto moments = times.empty() ? standard_moments(run) : moments_at(run, times);
+  const auto moments = times.empty() ? standard_moments(run) : moments_at(run, times, pictures.notes);
   std::vector<vtkSmartPointer<vtkPolyData>> particles;
   for (const auto& moment : moments) {
     particles.push_back(read_particles(moment.snapshot.file));
@@ -74,7 +81,7 @@ void write_contours(const RunFolder& run, const PictureOptions& options, std::ve
           file, options.width,
           {particles[i], field, scale, run.input.domain, run.input.failure_zone_strain, run.input.title,
            moments[i].caption, true, standing_water_at(run.input, moments[i].snapshot.time)});
-      written.push_back(file);
+      pictures.written.push_back(file);
     }
   }
 }
@@ -85,8 +92,9 @@ void write_histories(const RunFolder& run, const PictureOptions& options, std::v
   }
   const auto write = [&](const char* name, const std::string& y_title, std::vector<Curve> curves) {
     const fs::path file = options.folder / (std::string(name) + ".png");
-    write_history_chart(file, options.width,
-                        {run.input.title, y_title, run.history.columns.front(), std::move(curves), run.onset});
+    write_history_chart(
+        file, options.width,
+        {run.input.title, y_title, run.history.columns.front(), std::move(curves), run.onset, other_onset(run)});
     written.push_back(file);
   };
   auto displacement = history_curves(run.history, "displacement");
@@ -103,9 +111,9 @@ void write_histories(const RunFolder& run, const PictureOptions& options, std::v
   auto budget = budget_curves(run.budget);
   if (!budget.empty()) {
     const fs::path file = options.folder / "budget.png";
-    write_history_chart(
-        file, options.width,
-        {run.input.title, "Water since the start (m³/m)", run.budget.columns.front(), std::move(budget), run.onset});
+    write_history_chart(file, options.width,
+                        {run.input.title, "Water since the start (m³/m)", run.budget.columns.front(), std::move(budget),
+                         run.onset, other_onset(run)});
     written.push_back(file);
   }
 }
@@ -121,13 +129,13 @@ void write_profiles(const RunFolder& run, const PictureOptions& options, std::ve
 
 }  // namespace
 
-std::vector<fs::path> write_pictures(const RunFolder& run, const PictureOptions& options) {
+Pictures write_pictures(const RunFolder& run, const PictureOptions& options) {
   make_folder(options.folder);
-  std::vector<fs::path> written;
-  write_contours(run, options, written);
-  write_histories(run, options, written);
-  write_profiles(run, options, written);
-  return written;
+  Pictures pictures;
+  write_contours(run, options, pictures);
+  write_histories(run, options, pictures.written);
+  write_profiles(run, options, pictures.written);
+  return pictures;
 }
 
 }  // namespace slope::tools

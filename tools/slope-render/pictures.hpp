@@ -15,9 +15,14 @@ struct PictureOptions {
   std::vector<std::string> fields;  ///< of the contour pictures; empty: suction and deviatoric_strain
 };
 
+/// What write_pictures() did.
+struct Pictures {
+  std::vector<std::filesystem::path> written;
+  std::vector<std::string> notes;  ///< of times that were asked for and have no snapshot: which one was drawn
+};
+
 /// Draws contour pictures, histories at the verification points and, if the case asks for them, suction profiles.
-/// @return the files that were written.
 /// @throws couple::FileError if a file cannot be read or written; std::invalid_argument for an unknown field.
-std::vector<std::filesystem::path> write_pictures(const RunFolder& run, const PictureOptions& options);
+Pictures write_pictures(const RunFolder& run, const PictureOptions& options);
 
 }  // namespace slope::tools

@@ -1,5 +1,7 @@
 #include "run_curves.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -28,6 +30,13 @@ std::vector<Curve> budget_curves(const CsvTable& budget) {
     if (flows && (!drawn || std::string(name) == "storage")) curves.push_back({name, values});
   }
   return curves;
+}
+
+std::optional<TimeMark> other_onset(const RunFolder& run) {
+  const bool runaway = run.input.onset == couple::Onset::runaway;
+  const auto& time = runaway ? run.displacement_onset : run.runaway_onset;
+  if (!time) return std::nullopt;
+  return TimeMark{*time, runaway ? fmt::format("{:g} cm", 100.0 * run.input.onset_displacement) : "runs away"};
 }
 
 void scale_curves(std::vector<Curve>& curves, double factor) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,6 +17,9 @@ namespace slope::tools {
 
 /// The history's columns "<point> <quantity> [unit]" as curves named after their points.
 [[nodiscard]] std::vector<Curve> history_curves(const CsvTable& history, const std::string& quantity);
+
+/// The onset by the criterion that the case did not choose, for a chart; none if there was none.
+[[nodiscard]] std::optional<TimeMark> other_onset(const RunFolder& run);
 
 void scale_curves(std::vector<Curve>& curves, double factor);
 

@@ -70,6 +70,12 @@ RunFigures figures_of(const RunFolder& run) {
     const YAML::Node summary = YAML::LoadFile(file.string());
     RunFigures f;
     f.onset = run.onset.value_or(nothing);
+    f.runaway = run.runaway_onset.value_or(nothing);
+    const YAML::Node slide = find(summary, {"slide", "at_end"});
+    f.run_out = number(find(slide, {"run_out_m"}));
+    f.horizontal = number(find(slide, {"largest_horizontal_displacement_m"}));
+    f.slid = number(find(slide, {"area_m2"}));
+    f.verdict = summary["verdict"].IsDefined() ? summary["verdict"].as<std::string>("") : "";
     for (const YAML::Node& mark : find(summary, {"displacement_times"})) {
       f.displacement_times[number(find(mark, {"displacement_m"}))] = number(find(mark, {"time_s"}));
     }
@@ -93,9 +99,9 @@ RunFigures figures_of(const RunFolder& run) {
 
 void write_comparison(const std::vector<std::filesystem::path>& folders, const std::filesystem::path& file) {
   std::string text =
-      "| run | 1 cm | onset | against the first | 5 cm | 10 cm | zone at 10 cm, length x height, area | end of the run "
-      "| "
-      "zone at the end | suction left |\n|---|---|---|---|---|---|---|---|---|---|\n";
+      "| run | verdict | 1 cm | onset | against the first | runs away | 5 cm | 10 cm | zone at 10 cm, length x height, "
+      "area | end of the run | run-out | slid | zone at the end | suction left |\n"
+      "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n";
   double first = nothing;
   for (const auto& folder : folders) {
     const RunFolder run = read_run_folder(folder);
@@ -105,11 +111,12 @@ void write_comparison(const std::vector<std::filesystem::path>& folders, const s
       return std::isnan(z.area) ? "-" : fmt::format("{:.1f} x {:.1f} m, {:.1f} m2", z.length, z.height, z.area);
     };
     text +=
-        fmt::format("| {} | {} | {} | {} | {} | {} | {} | {}, {} | {} | {} |\n", run.input.title,
-                    shown(f.time_of(0.01), "{:.1f} s"), shown(f.onset, "{:.1f} s"),
-                    shown(100.0 * (f.onset / first - 1.0), "{:+.1f} %"), shown(f.time_of(0.05), "{:.1f} s"),
-                    shown(f.time_of(0.10), "{:.1f} s"), zone(f.early), shown(f.end, "{:.1f} s"),
-                    shown(f.displacement, "{:.2f} m moved"), zone(f.last), shown(f.last.suction * 1e-3, "{:.1f} kPa"));
+        fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} | {} | {}, {} | {} | {} | {} | {} |\n", run.input.title,
+                    f.verdict.empty() ? "-" : f.verdict, shown(f.time_of(0.01), "{:.1f} s"), shown(f.onset, "{:.1f} s"),
+                    shown(100.0 * (f.onset / first - 1.0), "{:+.1f} %"), shown(f.runaway, "{:.1f} s"),
+                    shown(f.time_of(0.05), "{:.1f} s"), shown(f.time_of(0.10), "{:.1f} s"), zone(f.early),
+                    shown(f.end, "{:.1f} s"), shown(f.displacement, "{:.2f} m moved"), shown(f.run_out, "{:.2f} m"),
+                    shown(f.slid, "{:.1f} m2"), zone(f.last), shown(f.last.suction * 1e-3, "{:.1f} kPa"));
   }
   std::ofstream out(file, std::ios::binary);
   out << text;

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <limits>
 #include <map>
+#include <string>
 #include <vector>
 
 #include "run_folder.hpp"
@@ -24,6 +25,11 @@ struct ZoneFigures {
 /// The figures of one run that reports and comparisons are made of.
 struct RunFigures {
   double onset = nothing;                       ///< by the case's own criterion (s)
+  double runaway = nothing;                     ///< when the motion ran away (s)
+  double run_out = nothing;                     ///< advance beyond the first toe, at the end (m)
+  double horizontal = nothing;                  ///< largest horizontal displacement at the end (m)
+  double slid = nothing;                        ///< area that slid, at the end (m2)
+  std::string verdict;                          ///< empty: the summary does not tell
   std::map<double, double> displacement_times;  ///< time (s) at which a displacement (m) was passed
   double x = nothing, y = nothing;              ///< where the soil had moved most at onset (m)
   double suction_there = nothing;               ///< (Pa)

@@ -21,7 +21,12 @@ void read_summary(const std::filesystem::path& file, RunFolder& run) {
   try {
     YAML::Node summary = YAML::LoadFile(file.string());  // JSON is YAML
     const auto time = summary["onset"]["time_s"];
-    run.onset = time.IsDefined() && !time.IsNull() ? std::optional(time.as<double>()) : std::nullopt;
+    const auto number = [](const YAML::Node& node) {
+      return node.IsDefined() && !node.IsNull() ? std::optional(node.as<double>()) : std::nullopt;
+    };
+    run.onset = number(time);
+    run.displacement_onset = number(summary["onset_by_displacement_s"]);
+    run.runaway_onset = number(summary["onset_by_runaway_s"]);
     run.case_file = summary["case"].as<std::string>("");
     const auto reason = summary["end"]["reason"].as<std::string>("");
     run.complete = reason == "time" || reason == "displacement" || reason == "after_onset" || reason == "at_rest" ||

@@ -24,10 +24,11 @@ struct RunFolder {
   std::vector<Snapshot> snapshots;  ///< at least one
   CsvTable history;                 ///< columns "name [unit]", the first is the time (s)
   CsvTable budget;                  ///< of the water, as the history; empty if the folder has none
-  std::optional<double> onset;      ///< of failure (s)
-  std::string case_file;            ///< that was run, as the summary tells; empty without one
-  bool complete = false;            ///< the run came to the end that its case asks for
-  std::optional<ZoneSize> zone;     ///< failure zone at the end, if the summary tells it
+  std::optional<double> onset;      ///< of failure, by the criterion that the case chose (s)
+  std::optional<double> displacement_onset, runaway_onset;  ///< by each criterion, if the summary tells them (s)
+  std::string case_file;                                    ///< that was run, as the summary tells; empty without one
+  bool complete = false;                                    ///< the run came to the end that its case asks for
+  std::optional<ZoneSize> zone;                             ///< failure zone at the end, if the summary tells it
 };
 
 /// Reads case.yaml, particles.pvd, history.csv and, if it is there, summary.json.

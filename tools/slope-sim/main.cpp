@@ -22,7 +22,9 @@ using slope::tools::ExitCode;
 
 /// Reads the case and says what it holds.
 void check(const std::string& file, const std::vector<std::string>& overrides) {
-  const slope::couple::Case input = slope::couple::read_case(file, overrides);
+  std::vector<slope::couple::Problem> warnings;
+  const slope::couple::Case input = slope::couple::read_case(file, overrides, &warnings);
+  for (const auto& warning : warnings) fmt::print(stderr, "warning: {}\n", warning.text());
   const slope::couple::Domain& domain = input.domain;
   const auto cells = [&](std::size_t axis) {
     return std::lround((domain.upper[axis] - domain.lower[axis]) / domain.cell_size);

@@ -23,7 +23,7 @@ class Run {
  public:
   explicit Run(const RunOptions& options)
       : options_(options),
-        simulation_(couple::read_case(options.case_file, options.overrides), options.threads),
+        simulation_(couple::read_case(options.case_file, options.overrides, &warnings_), options.threads),
         writer_(options.folder),
         progress_(simulation_.input().stop.time, options.quiet) {
     record_.version = SLOPE_VERSION;
@@ -54,6 +54,10 @@ class Run {
     writer_.log(fmt::format("case {}", options_.case_file.string()));
     for (const std::string& assignment : options_.overrides) writer_.log(fmt::format("--set {}", assignment));
     writer_.log(fmt::format("{} thread{}", options_.threads, options_.threads == 1 ? "" : "s"));
+    for (const couple::Problem& warning : warnings_) {
+      writer_.log("warning: " + warning.text());
+      progress_.say("warning: " + warning.text());
+    }
   }
 
   void start() {
@@ -146,6 +150,7 @@ class Run {
   }
 
   const RunOptions& options_;
+  std::vector<couple::Problem> warnings_;  // of the case
   couple::Simulation simulation_;
   RunWriter writer_;
   ProgressLine progress_;

@@ -98,6 +98,7 @@ coupling:
 
 # What counts as failure.
 failure:
+  onset: displacement                    # or runaway: the kink of the largest displacement over time
   onset_displacement: 2 cm               # the slope has failed when the largest displacement passes this
   zone_deviatoric_strain: 2 %            # the failure zone is where the deviatoric strain is above this
 
@@ -106,6 +107,7 @@ stop:
   time: 1 min
   displacement: 20 cm                    # the largest one
   # after_onset: 10 s                    # this long after the onset of failure
+  # at_rest: true                        # when the slide has come to rest
 
 # Points of the initial slope that are followed.
 points:

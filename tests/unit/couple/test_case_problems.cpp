@@ -95,6 +95,11 @@ const Mistake physics[] = {
      "must be at least 0 deg and below 90 deg, got 90 deg"},
     {"DilatancyAboveFriction", "dilatancy_angle: 0 deg", "dilatancy_angle: 30 deg",
      "soils.sandy_clay.strength.dilatancy_angle", "must not exceed the friction angle of 25 deg, got 30 deg"},
+    {"CohesionRateAlone", "      maximum_cohesion_increase: 100 kPa\n", "",
+     "soils.sandy_clay.strength.maximum_cohesion_increase",
+     "missing, and cohesion_suction_rate has no effect without it; write for example \"maximum_cohesion_increase: 100 "
+     "kPa\", or remove both",
+     -5},
     {"SofteningBackwards", "cohesion: 1 kPa\n",
      "cohesion: 1 kPa\n      softening: {residual_cohesion: 0 kPa, residual_friction_angle: 20 deg, "
      "from_plastic_strain: 10 %, to_plastic_strain: 1 %}\n",
@@ -489,7 +494,13 @@ TEST(Hyetograph, FileGetsOneMessageWithItsLine) {
       {"# rain\ntime_h,intensity_mm\n0,1\n", ":2: " + header},
       {"time_h,intensity_mm_per_h\n0,1\n2\n", ":3: expected two numbers, a time and the intensity from then on"},
       {"time_h,intensity_mm_per_h\n0,a lot\n", ":2: expected two numbers, a time and the intensity from then on"},
-      {"time_h,intensity_mm_per_h\n0,1\n2,3\n2,4\n", ":4: times must grow from row to row"}};
+      {"time_h,intensity_mm_per_h\n0,1\n2,3\n2,4\n", ":4: times must grow from row to row"},
+      {"time_h,intensity_mm_per_h\n0,1\n1,-999\n2,0\n",
+       ":3: \"-999\" stands for a missing value; write what fell then, 0 if nothing did"},
+      {"time_h,intensity_mm_per_h\n0,1\n1,\n2,0\n",
+       ":3: \"\" stands for a missing value; write what fell then, 0 if nothing did"},
+      {"time_h,intensity_mm_per_h\n0,NaN\n2,0\n",
+       ":2: \"NaN\" stands for a missing value; write what fell then, 0 if nothing did"}};
   const CaseFolder folder;
   const auto file = folder.write("slope.yaml", slope_with("at: ground_surface, pressure: 0 kPa, applied_to: particle",
                                                           "at: free_surface, rain: {file: storm.csv}")
@@ -505,6 +516,103 @@ TEST(Hyetograph, FileGetsOneMessageWithItsLine) {
     ASSERT_EQ(problems.size(), 1u) << content;
     EXPECT_EQ(problems[0].message, path + message);
   }
+}
+
+class RainTables : public testing::Test {
+ protected:
+  /// The problems, or else the warnings, of the slope under the rain of a table.
+  std::vector<std::string> told_of(const std::string& rows, const std::string& more = "",
+                                   const std::string& stop = "40 min") {
+    folder_.write("gauge.csv", "time_min,intensity_mm_per_h\n" + rows);
+    const auto file =
+        folder_.write("slope.yaml", slope_with("at: ground_surface, pressure: 0 kPa, applied_to: particle",
+                                               "at: free_surface, rain: {file: gauge.csv" + more + "}")
+                                        .content);
+    std::vector<Problem> found;
+    try {
+      read_ = read_case(file, {"stop.time=" + stop}, &found);
+    } catch (const InputError& error) {
+      found = error.problems();
+    }
+    std::vector<std::string> texts;
+    for (const Problem& problem : found) texts.push_back(problem.text().substr(folder_.path().string().size() + 1));
+    return texts;
+  }
+  [[nodiscard]] const std::vector<RainStep>& steps() const {
+    return std::get<Rain>(read_.water_boundaries.at(0).condition).hyetograph;
+  }
+
+  CaseFolder folder_;
+  Case read_;
+};
+
+using Texts = std::vector<std::string>;
+
+TEST_F(RainTables, MustSayWhatComesAfterALastRowThatIsWet) {
+  const std::string wet = "0,2\n10,2\n20,4\n";
+  const auto told = told_of(wet);
+  ASSERT_EQ(told.size(), 1u);
+  EXPECT_NE(told[0].find("water_boundaries.rain.rain.file: the last row, 4 mm/h from 0.333333 h on, would hold until "
+                         "stop.time, 0.666667 h; end the table with a row of 0, or say \"after_table: dry\" or "
+                         "\"after_table: last_row\""),
+            std::string::npos)
+      << told[0];
+  EXPECT_EQ(told_of(wet, ", after_table: last_row"), Texts{});
+  EXPECT_EQ(steps().size(), 3u);
+  EXPECT_EQ(told_of(wet, ", after_table: dry"), Texts{});
+  ASSERT_EQ(steps().size(), 4u);
+  EXPECT_EQ(steps()[3].time, 1800.0) << "the last row lasts as long as the others";
+  EXPECT_EQ(steps()[3].intensity, 0.0);
+  EXPECT_EQ(told_of(wet + "30,0\n"), Texts{});
+  EXPECT_EQ(told_of(wet, "", "30 min"), Texts{}) << "the run ends with the row";
+  EXPECT_EQ(told_of(wet, "", "31 min").size(), 1u);
+  EXPECT_EQ(told_of("0,2\n").size(), 1u) << "nobody knows how long";
+  EXPECT_EQ(told_of("0,-0.1\n10,-0.2\n").size(), 1u) << "evaporation too";
+  EXPECT_NE(told_of("0,2\n", ", after_table: dry").at(0).find("a table of one row does not say how long that lasts"),
+            std::string::npos);
+}
+
+TEST_F(RainTables, AreWarnedOfGapsThatHoldRain) {
+  const std::string even = "0,0\n1,2\n2,3\n3,1\n4,1\n5,0\n6,0\n";
+  EXPECT_EQ(told_of(even), Texts{});
+  const auto told = told_of("0,0\n1,2\n2,3\n3,1\n4,1\n9,2\n10,0\n");
+  ASSERT_EQ(told.size(), 1u);
+  EXPECT_TRUE(
+      told[0].starts_with("gauge.csv:7: water_boundaries.rain.rain.file: comes 0.0833333 h after the row before, "
+                          "where 0.0166667 h are usual, and what fell then, 1 mm/h, is held all the time"))
+      << told[0];
+  EXPECT_EQ(told_of("0,0\n1,2\n2,3\n3,1\n4,0\n9,2\n10,0\n"), Texts{}) << "a gap that holds no rain";
+  EXPECT_EQ(told_of("0,1\n6,2\n8,3\n20,4\n22,1\n30,0\n"), Texts{}) << "steps, not intervals of a gauge";
+}
+
+TEST_F(RainTables, AreWarnedOfWhatNoSkyAndNoAirDo) {
+  EXPECT_EQ(told_of("0,499\n1,0\n"), Texts{});
+  EXPECT_TRUE(
+      told_of("0,501\n1,0\n")
+          .at(0)
+          .starts_with(
+              "gauge.csv:2: water_boundaries.rain.rain.file: 501 mm/h is more than any rain; is the unit right?"));
+  EXPECT_NE(told_of("0,2\n1,-1\n2,0\n").at(0).find("gauge.csv:3"), std::string::npos);
+  EXPECT_NE(told_of("0,2\n1,-1\n2,0\n").at(0).find("evaporates 24 mm/d, more than any air does"), std::string::npos);
+  EXPECT_EQ(told_of("0,2\n1,-0.5\n2,0\n"), Texts{});
+}
+
+TEST_F(RainTables, KeepTheirKeysForTables) {
+  const auto file =
+      folder_.write("slope.yaml", slope_with("at: ground_surface, pressure: 0 kPa, applied_to: particle",
+                                             "at: free_surface, rain: {intensity: 1 mm/h, after_table: dry}")
+                                      .content);
+  const auto problems = problems_of(file);
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_EQ(problems[0].message, "has a meaning only with a file; remove it");
+  std::vector<Problem> warnings;
+  const auto odd =
+      folder_.write("odd.yaml", slope_with("at: ground_surface, pressure: 0 kPa, applied_to: particle",
+                                           "at: free_surface, rain: {hyetograph: [[0 h, 1 m/h], [1 h, 0 mm/h]]}")
+                                    .content);
+  (void)read_case(odd, {}, &warnings);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_EQ(warnings[0].key, "water_boundaries.rain.rain.hyetograph.0");
 }
 
 }  // namespace

@@ -248,6 +248,24 @@ TEST(CaseValues, TheHistoryHasAThousandRowsUnlessTheCaseSays) {
   EXPECT_EQ(read_case(folder.write("slope.yaml", content)).output.history_interval, 2.4);
   content.replace(content.find("time: 40 min"), 12, "time: 1 min");
   EXPECT_EQ(read_case(folder.write("short.yaml", content)).output.history_interval, 1.0);
+  content.replace(content.find("  time: 1 min"), 13, "  time: 100 d");
+  content.replace(content.find("snapshot_interval: 1 min"), 24, "snapshot_interval: 1 d");
+  EXPECT_EQ(read_case(folder.write("long.yaml", content)).output.history_interval, 8640.0)
+      << "beyond a million seconds";
+}
+
+TEST(CaseValues, SuctionAddsNoStrengthUnlessTheCaseSays) {
+  const CaseFolder folder;
+  std::string content = slope_with("cohesion: 1 kPa\n", "cohesion: 1 kPa\n").content;
+  for (const char* key : {"maximum_cohesion_increase", "cohesion_suction_rate", "friction_angle_suction_rate"}) {
+    const auto begin = content.rfind('\n', content.find(key)) + 1;
+    content.erase(begin, content.find('\n', begin) + 1 - begin);
+  }
+  const Case input = read_case(folder.write("slope.yaml", content));
+  const auto& strength = std::get<solid::DruckerPrager>(input.soils[0].solid.strength);
+  EXPECT_EQ(strength.maximum_cohesion_increase, 0.0);
+  EXPECT_EQ(strength.cohesion_suction_rate, 0.0);
+  EXPECT_EQ(strength.friction_angle_suction_rate, 0.0);
 }
 
 TEST(CaseValues, RainComesFromAFileBesideTheCaseOrItsBase) {

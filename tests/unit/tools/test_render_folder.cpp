@@ -35,7 +35,7 @@ TEST(RunFolder, GivesTheStandardPictures) {
   EXPECT_EQ(run.zone->length, 12.3);
   EXPECT_EQ(run.zone->height, 6.8);
 
-  const auto written = write_pictures(run, {run.path / "figures", 400, {}, {}});
+  const auto written = write_pictures(run, {run.path / "figures", 400, {}, {}}).written;
   EXPECT_EQ(names_of(written),
             (std::vector<std::string>{"suction_start.png", "suction_onset.png", "suction_end.png",
                                       "deviatoric_strain_start.png", "deviatoric_strain_onset.png",
@@ -50,8 +50,11 @@ TEST(RunFolder, DrawsFieldsAndTimesThatAreAskedFor) {
   write_slope_run(scratch.path());
   const auto run = read_run_folder(scratch.path());
   EXPECT_EQ(nearest_snapshot(run.snapshots, 290.0).time, 300.0);
-  const auto written = write_pictures(run, {scratch.path() / "out", 400, {290.0}, {"saturation"}});
-  EXPECT_EQ(names_of(written).front(), "saturation_290s.png");
+  const auto pictures = write_pictures(run, {scratch.path() / "out", 400, {290.0, 300.0, 5000.0}, {"saturation"}});
+  EXPECT_EQ(names_of(pictures.written).front(), "saturation_290s.png");
+  EXPECT_EQ(pictures.notes,
+            (std::vector<std::string>{"t = 290 s: there is no snapshot; the nearest one, of 300 s, was drawn",
+                                      "t = 5000 s: there is no snapshot; the nearest one, of 640 s, was drawn"}));
   try {
     write_pictures(run, {scratch.path() / "out", 400, {}, {"sucktion"}});
     FAIL() << "no such field";

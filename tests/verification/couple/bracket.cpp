@@ -3,6 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
 #include "dry_slope.hpp"
 #include "run_case.hpp"
 #include "slope/testing/record.hpp"
@@ -21,9 +26,46 @@ TEST(Bracket, StandsWithAFactorOfSafetyOf14) {
   });
   const couple::Summary summary = simulation.summary();
   EXPECT_EQ(summary.end_reason, "time");
+  EXPECT_EQ(summary.verdict, couple::Verdict::stands);
+  EXPECT_EQ(summary.slide_at_end.run_out, 0.0);
   EXPECT_TRUE(record("bracket-2", "- it stands: largest displacement in 4 s of dynamics", at_most(0.1),
                      1e3 * summary.largest_displacement, "mm"));
   EXPECT_LT(summary.largest_displacement - settling, 0.2 * summary.largest_displacement) << "comes to rest";
+}
+
+// Where the ground, column by column, first stands half a spacing above the level of the toe (m).
+double front_of_ground(const couple::ParticleTable& table, double level, double spacing) {
+  double front = std::numeric_limits<double>::infinity();
+  for (double x = 0.0; x < 14.0; x += 0.01) {
+    double height = 0.0;
+    for (const couple::Point& at : table.position) {
+      if (std::abs(at[0] - x) <= 0.5 * spacing) height = std::max(height, at[1] + 0.5 * spacing);
+    }
+    if (height > level + 0.5 * spacing) front = std::min(front, x);
+  }
+  return front;
+}
+
+TEST(Bracket, FallsUntilItRestsAndTellsHowFarItRan) {
+  std::vector<std::string> overrides = strength_over(1.7);
+  overrides.emplace_back("stop={time: 60 s, at_rest: true}");
+  overrides.emplace_back("output={history_interval: 1 s}");
+  couple::Simulation simulation = start_case("bracket.yaml", overrides);
+  constexpr double level = 1.5, spacing = 0.125;
+  const double before = front_of_ground(simulation.particles(), level, spacing);
+  run(simulation, [](const couple::ParticleTable&) {});
+  const couple::Summary summary = simulation.summary();
+  EXPECT_EQ(summary.verdict, couple::Verdict::does_not_stand);
+  EXPECT_EQ(summary.end_reason, "at_rest");
+  ASSERT_TRUE(summary.slide_at_end.run_out.has_value());
+  const double advance = before - front_of_ground(simulation.particles(), level, spacing);
+  EXPECT_GT(advance, 4.0 * spacing);
+  EXPECT_TRUE(record("bracket-4", "- by 1.7: advance of its ground line beyond the toe, column by column",
+                     near(advance, 1.5 * spacing), *summary.slide_at_end.run_out, "m"));
+  EXPECT_EQ(summary.slide_at_end.direction, -1.0);
+  EXPECT_EQ(summary.slide_at_end.toe, (couple::Point{4.0, 1.5}));
+  EXPECT_GT(summary.slide_at_end.largest_horizontal_displacement, advance);
+  EXPECT_GT(summary.slide_at_end.area, 3.0);
 }
 
 TEST(Bracket, FallsWithItsStrengthDividedBy15) {
@@ -33,6 +75,8 @@ TEST(Bracket, FallsWithItsStrengthDividedBy15) {
   const couple::Summary summary = simulation.summary();
   ASSERT_TRUE(summary.onset_time.has_value());
   EXPECT_EQ(summary.end_reason, "displacement") << "the slide goes on to 30 cm";
+  EXPECT_EQ(summary.verdict, couple::Verdict::does_not_stand);
+  EXPECT_EQ(summary.runaway_onset, 0.0);
   EXPECT_TRUE(record("bracket-3",
                      "- with c and tan(phi) divided by 1.5 (factor 0.93) it falls: time to a displacement of 30 cm",
                      at_most(4.0), summary.time, "s"));
@@ -44,7 +88,7 @@ TEST(RoadEmbankment, FailsWithAFactorOfSafetyOf091OnCoarseCells) {
   run(simulation, [](const couple::ParticleTable&) {});
   const couple::Summary summary = simulation.summary();
   EXPECT_EQ(summary.end_reason, "displacement");
-  EXPECT_TRUE(record("bracket-4", "Road embankment on soft clay, factor 0.91 by Spencer, 5 ft cells: time to 5 cm",
+  EXPECT_TRUE(record("embankment-1", "Road embankment on soft clay, factor 0.91 by Spencer, 5 ft cells: time to 5 cm",
                      at_most(8.0), summary.time, "s"));
 }
 

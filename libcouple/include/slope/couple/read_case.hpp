@@ -37,8 +37,10 @@ class FileError : public std::runtime_error {
 
 /// Reads and checks a YAML case file.
 /// @param overrides  "dotted.key=value" texts that replace or add values before the check.
+/// @param warnings  if given, takes what may be meant but is seldom right, such as rain that a gap in a table holds.
 /// @throws InputError naming every problem; FileError if the file cannot be read.
-[[nodiscard]] Case read_case(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
+[[nodiscard]] Case read_case(const std::filesystem::path& file, const std::vector<std::string>& overrides = {},
+                             std::vector<Problem>* warnings = nullptr);
 
 /// The case as complete YAML with every default written out, in case-file units; read_case() gives the same case back.
 [[nodiscard]] std::string resolved_yaml(const Case& input);
