@@ -43,7 +43,8 @@ void MaterialPointMethod::find_friction_times() {
 //
 // The distance is the least one of the faces of the particles that reach a node. The half height of a particle on the
 // wall has grown by its strain across the wall, whatever else it did. The water's pressure at the wall is that of the
-// straight line through the particles' pressures; the length of wall that it acts on, that of Gauss's theorem.
+// straight line through the means of the cells, whose noise the soil does not feel either; the length of wall that it
+// acts on, that of Gauss's theorem.
 void MaterialPointMethod::look_at_soil(std::span<const double> pressure) {
   for (WallNode& wall : wall_nodes_) wall.gap = untouched;
   near_wall_.assign(wall_nodes_.size(), {});
@@ -78,6 +79,16 @@ void MaterialPointMethod::look_at_soil(std::size_t first_node, std::span<const d
   const std::size_t on = row_of(first.on), outside = row_of(first.outside), before = number_of(grid_.node(-1, -1));
   const double at =
       first.inwards > 0.0 ? grid_.lower[std::size_t(first.normal)] : grid_.lower[0] + grid_.cell_size * grid_.columns;
+  if (!pressure.empty()) {
+    cell_means_.assign(grid_.cell_count(), {});
+    for (std::size_t p = 0; p < particles_.size(); ++p) {
+      const double volume = particles_.volume[p];
+      CellMeans& cell = cell_means_[grid_cell_of_[p]];
+      cell.volume += volume;
+      cell.distance += volume * first.inwards * (place[p] - at);
+      cell.pressure += volume * pressure[p];
+    }
+  }
   for (std::size_t p = 0; p < particles_.size(); ++p) {
     const double distance = first.inwards * (place[p] - at);
     if (distance > reach * grid_.cell_size) continue;
@@ -99,12 +110,14 @@ void MaterialPointMethod::look_at_soil(std::size_t first_node, std::span<const d
       wall_nodes_[node].gap = std::min(wall_nodes_[node].gap, gap);
       if (pressure.empty()) continue;
       const double share = value[a] * volume;
+      const CellMeans& cell = cell_means_[grid_cell_of_[p]];
+      const double away = cell.distance / cell.volume, mean = cell.pressure / cell.volume;
       NearWall& near = near_wall_[node];
       near.volume += share;
-      near.distance += share * distance;
-      near.square += share * distance * distance;
-      near.pressure += share * pressure[p];
-      near.product += share * distance * pressure[p];
+      near.distance += share * away;
+      near.square += share * away * away;
+      near.pressure += share * mean;
+      near.product += share * away * mean;
       near.length -= first.inwards * share * slope;
     }
   }

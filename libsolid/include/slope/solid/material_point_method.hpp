@@ -214,6 +214,10 @@ class MaterialPointMethod {
     Eigen::Array2d dashpot = Eigen::Array2d::Zero();       // (N s/m2)
     Eigen::Array2d spring = Eigen::Array2d::Zero();        // (N/m2)
   };
+  // Sums over the particles of a cell, weighted by volume.
+  struct CellMeans {
+    double volume = 0.0, distance = 0.0, pressure = 0.0;
+  };
   // Sums over the particles near a node of a frictional wall.
   struct NearWall {
     double volume = 0.0, distance = 0.0, square = 0.0, pressure = 0.0, product = 0.0;  // weighted by volume
@@ -289,6 +293,7 @@ class MaterialPointMethod {
   std::array<std::size_t, 4> first_wall_node_{};  // of each side, and the end
   std::array<bool, 2> corner_off_{};              // whether the soil is off the left or right side in its corner
   std::vector<NearWall> near_wall_;               // of each wall node
+  std::vector<CellMeans> cell_means_;
   bool walls_released_ = false;
   double whole_time_ = 0.0, distribution_time_ = 0.0;  // in which friction follows the normal force (s)
 
