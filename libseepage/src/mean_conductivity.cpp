@@ -48,17 +48,11 @@ double mean_of_unlike(const ConductivityAt& a, const ConductivityAt& b, double d
   return b.conductivity * phi(d + x) / phi(x);
 }
 
-ConductivityAt without_potential(const PotentialAt& end) {
-  return {end.conductivity, end.pressure_head};
+bool equal(const PotentialAt& a, const PotentialAt& b) {
+  return std::abs(a.conductivity - b.conductivity) <= 1.0e-6 * b.conductivity;
 }
 
-// Of the difference of two conductivities: 0 where they are so alike that the short formula holds, 1 where it does not.
-double share_of_unlike(double a, double b) {
-  const double sum = a + b;
-  return std::clamp(2.0 * std::abs(a - b) / (0.5 * alike * sum) - 1.0, 0.0, 1.0);
-}
-
-// With G the exponential's mean, L its level mean, W the limit to which it tends and M the level mean of the true curve
+// With G the exponential's mean, L its level mean, W the conductivity of the upper end and M the level mean of the true curve
 // it is W - (W - M) (W - G) / (W - L).
 struct TrueMean {
   TrueMean(const PotentialAt& a, const PotentialAt& b, double drop)
@@ -67,7 +61,7 @@ struct TrueMean {
         gain(a.potential - b.potential),
         d(std::log(a.conductivity / b.conductivity)),
         x(std::clamp(drop * more / gain, -longest, longest)),
-        follows_first((more > 0.0) == (x > 0.0)),
+        follows_first(x > 0.0),
         exponential(b.conductivity * phi(d + x) / phi(x)),
         exponential_level(more / d),
         level(gain / fall),
@@ -118,17 +112,12 @@ double mean_conductivity_slope(const ConductivityAt& a, const ConductivityAt& b,
   return mean_conductivity(a, b, drop) * (over_d * slope / a.conductivity + over_fall);
 }
 
-double mean_conductivity(const PotentialAt& a, const PotentialAt& b, double drop) {
-  const double share = share_of_unlike(a.conductivity, b.conductivity);
-  const double of_alike = share < 1.0 ? mean_of_alike(without_potential(a), without_potential(b), drop) : 0.0;
-  return share > 0.0 ? share * TrueMean(a, b, drop).value() + (1.0 - share) * of_alike : of_alike;
+double kirchhoff_mean(const PotentialAt& a, const PotentialAt& b, double drop) {
+  return equal(a, b) ? 0.5 * (a.conductivity + b.conductivity) : TrueMean(a, b, drop).value();
 }
 
-double mean_conductivity_slope(const PotentialAt& a, const PotentialAt& b, double drop, double slope) {
-  const double share = share_of_unlike(a.conductivity, b.conductivity);
-  const double of_alike =
-      share < 1.0 ? mean_conductivity_slope(without_potential(a), without_potential(b), drop, slope) : 0.0;
-  return share > 0.0 ? share * TrueMean(a, b, drop).slope_at(a, slope) + (1.0 - share) * of_alike : of_alike;
+double kirchhoff_mean_slope(const PotentialAt& a, const PotentialAt& b, double drop, double slope) {
+  return equal(a, b) ? 0.5 * slope : TrueMean(a, b, drop).slope_at(a, slope);
 }
 
 }  // namespace slope::seepage

@@ -39,7 +39,7 @@ struct PotentialAt {
 /// is steep are far from an exponential. With gravity it keeps, between that and the conductivity of the end to which
 /// the mean tends on a long way down or up, the place that the exponential has, whose length 1/alpha is then the fall
 /// of the potential over that of the conductivity.
-[[nodiscard]] double mean_conductivity(const PotentialAt& a, const PotentialAt& b, double drop);
-[[nodiscard]] double mean_conductivity_slope(const PotentialAt& a, const PotentialAt& b, double drop, double slope);
+[[nodiscard]] double kirchhoff_mean(const PotentialAt& a, const PotentialAt& b, double drop);
+[[nodiscard]] double kirchhoff_mean_slope(const PotentialAt& a, const PotentialAt& b, double drop, double slope);
 
 }  // namespace slope::seepage
