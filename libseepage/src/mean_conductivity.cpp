@@ -52,8 +52,8 @@ bool equal(const PotentialAt& a, const PotentialAt& b) {
   return std::abs(a.conductivity - b.conductivity) <= 1.0e-6 * b.conductivity;
 }
 
-// With G the exponential's mean, L its level mean, W the conductivity of the upper end and M the level mean of the true curve
-// it is W - (W - M) (W - G) / (W - L).
+// With G the exponential's mean, L its level mean, W the conductivity of the upper end and M the level mean of the true
+// curve it is W - (W - M) (W - G) / (W - L).
 struct TrueMean {
   TrueMean(const PotentialAt& a, const PotentialAt& b, double drop)
       : more(a.conductivity - b.conductivity),
