@@ -133,7 +133,7 @@ PoreFlow::FaceLaw PoreFlow::face_law(const FacePressure& face) const {
                       face.distance};
   const double fall = held.fall();
   if (fall <= 0.0 || face.rise < 0.0) {
-    const double mean = mean_conductivity(held.face, held.particle, face.rise);
+    const double mean = kirchhoff_mean(held.face, held.particle, face.rise);
     return {face.area * mean / face.distance, face.area * settled_flow(held).slope};
   }
   const FaceFlow flow = wetting_flow(held, front_of(p, face.pressure));
