@@ -85,6 +85,15 @@ double ConductivityCurve::potential_between(std::size_t i, double t) const {
          t * (potential_slope_[i] + t * (0.5 * potential_curvature_[i] + t * (cubic + t * (quartic + t * quintic))));
 }
 
+double ConductivityCurve::potential(double pressure_head) const {
+  const double suction_head = -pressure_head;
+  if (suction_head <= wet_) return wet_potential_ + saturated_ * (wet_ - suction_head);
+  const double place = (std::log(suction_head) - first_log_) * per_e_fold;
+  if (suction_head <= first_ || place >= static_cast<double>(log_.size() - 1)) return at(pressure_head).potential;
+  const auto i = static_cast<std::size_t>(place);
+  return potential_between(i, place - static_cast<double>(i));
+}
+
 ConductivityCurve::Value ConductivityCurve::at(double pressure_head) const {
   const double suction_head = -pressure_head;
   if (suction_head <= wet_) return {saturated_, 0.0, wet_potential_ + saturated_ * (wet_ - suction_head)};

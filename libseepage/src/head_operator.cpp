@@ -94,9 +94,7 @@ double HeadOperator::seam_distance(std::size_t p, std::size_t q) const {
 }
 
 SeamLeg HeadOperator::leg(std::size_t p, double share, double drop) const {
-  const ConductivityCurve& curve = curves_[soil_[p]];
-  const auto [conductivity, pressure_head] = conductivity_[p];
-  return {{conductivity, pressure_head, curve.at(pressure_head).potential}, &curve, share, share * drop};
+  return {conductivity_[p], &curves_[soil_[p]], share, share * drop};
 }
 
 SeamLeg HeadOperator::first_leg(const Seam& seam) const {
@@ -107,9 +105,17 @@ SeamLeg HeadOperator::second_leg(const Seam& seam) const {
   return leg(seam.second, 1.0 - seam.share, y_weighted_[seam.second] - y_weighted_[seam.first]);
 }
 
-void HeadOperator::set_conductivity(std::span<const double> conductivity, std::span<const double> pressure_head) {
+void HeadOperator::set_conductivity(std::span<const double> conductivity) {
+  for (std::size_t p = 0; p < diagonal_.size(); ++p) conductivity_[p] = {conductivity[p], 0.0, 0.0};
+  find_conductances([this](std::size_t p, std::size_t q) {
+    return logarithmic_mean(conductivity_[p].conductivity, conductivity_[q].conductivity);
+  });
+}
+
+void HeadOperator::set_conductivity(std::span<const double> conductivity, std::span<const double> pressure_head,
+                                    std::span<const double> potential) {
   for (std::size_t p = 0; p < diagonal_.size(); ++p) {
-    conductivity_[p] = {conductivity[p], pressure_head.empty() ? 0.0 : pressure_head[p]};
+    conductivity_[p] = {conductivity[p], pressure_head[p], potential[p]};
   }
 #pragma omp parallel for schedule(static) num_threads(threads_) if (threads_ > 1)
   for (std::size_t k = 0; k < seams_.size(); ++k) {
@@ -117,6 +123,15 @@ void HeadOperator::set_conductivity(std::span<const double> conductivity, std::s
     seam.mean = seam_mean(first_leg(seam), second_leg(seam), seam.mean.pressure_head);
     conductance_[seam.place] = conductance_[seam.back] = seam.factor * seam.mean.conductivity;
   }
+  find_conductances([this](std::size_t p, std::size_t q) {
+    return kirchhoff_mean(conductivity_[p], conductivity_[q], y_weighted_[p] - y_weighted_[q]);
+  });
+}
+
+// The conductances of pairs in one soil, with the mean(p, q) of two particles' conductivities, and their sums with
+// those across seams.
+template <class Mean>
+void HeadOperator::find_conductances(const Mean& mean) {
 #pragma omp parallel for schedule(static) num_threads(threads_) if (threads_ > 1)
   for (std::size_t p = 0; p < diagonal_.size(); ++p) {
     double sum = 0.0;
@@ -124,8 +139,7 @@ void HeadOperator::set_conductivity(std::span<const double> conductivity, std::s
       if (factor_[s] != 0.0) {
         const std::size_t q = neighbours_.index[s];
         const auto [first, second] = std::minmax(p, q);  // the same for both particles, to the last digit
-        conductance_[s] = factor_[s] * mean_conductivity(conductivity_[first], conductivity_[second],
-                                                         y_weighted_[first] - y_weighted_[second]);
+        conductance_[s] = factor_[s] * mean(first, second);
       }
       sum += conductance_[s];
     }
@@ -144,7 +158,7 @@ double HeadOperator::flow_slope(std::size_t p, std::size_t s, double slope, doub
             seam.mean.conductivity);
   }
   return factor_[s] * fall *
-         mean_conductivity_slope(conductivity_[p], conductivity_[q], y_weighted_[p] - y_weighted_[q], slope);
+         kirchhoff_mean_slope(conductivity_[p], conductivity_[q], y_weighted_[p] - y_weighted_[q], slope);
 }
 
 void HeadOperator::apply(std::span<const double> head, std::span<double> outflow) const {

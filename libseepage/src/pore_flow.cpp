@@ -38,19 +38,21 @@ PoreFlow::PoreFlow(std::vector<Soil> soils, const Water& water, std::span<const 
       pressure_(pressure.begin(), pressure.end()) {
   const std::size_t n = pressure_.size();
   for (std::size_t p = 0; p < n; ++p) particles_of_soil_[soil_[p]].push_back(static_cast<std::uint32_t>(p));
-  for (auto* v :
-       {&suction_, &saturation_, &pore_stress_, &capacity_,       &conductivity_,  &pressure_head_, &head_,
-        &content_, &defect_,     &change_,      &stress_change_,  &storage_,       &right_side_,    &diagonal_,
-        &outflow_, &work_,       &work2_,       &storage_offset_, &storage_slope_, &touched_,       &latest_change_}) {
+  for (auto* v : {&suction_, &saturation_,    &pore_stress_,    &capacity_,      &conductivity_, &pressure_head_,
+                  &head_,    &potential_,     &front_start_,    &face_gain_,     &content_,      &defect_,
+                  &change_,  &stress_change_, &storage_,        &right_side_,    &diagonal_,     &outflow_,
+                  &work_,    &work2_,         &storage_offset_, &storage_slope_, &touched_,      &latest_change_}) {
     v->assign(n, 0.0);
   }
   is_held_.assign(n, 0);
+  face_full_.assign(n, 0);
   std::vector<ConductivityCurve> curves(soils_.begin(), soils_.end());
   for (const ConductivityCurve& curve : curves) {
     drying_onset_.push_back(-std::max(curve.suction_head_at(begun_to_fall), least_onset) * water_.unit_weight());
   }
   operator_.set_soils(soil_, std::move(curves));
   evaluate_soil();
+  front_start_ = pressure_;
   follow(skeleton);
   for (std::size_t p = 0; p < n; ++p) content_[p] = water_of(p, skeleton);
 }
@@ -68,6 +70,7 @@ void PoreFlow::evaluate_soil() {
     const std::vector<std::uint32_t>& members = particles_of_soil_[k];
     const double saturated = soils_[k].hydraulic_conductivity;
     const double floor = soils_[k].relative_permeability.floor;
+    const ConductivityCurve& curve = operator_.curves()[k];
     std::visit(
         [&](const auto& retention, const auto& permeability) {
 #pragma omp parallel for schedule(static) num_threads(settings_.threads) if (settings_.threads > 1)
@@ -79,6 +82,7 @@ void PoreFlow::evaluate_soil() {
             saturation_[p] = s.saturation;
             capacity_[p] = -s.slope * inverse_weight;
             conductivity_[p] = saturated * std::max(permeability.evaluate(suction_head, s.saturation), floor);
+            potential_[p] = curve.potential(-suction_head);
             pore_stress_[p] = s.saturation * pressure_[p];
           }
         },
@@ -99,11 +103,11 @@ double PoreFlow::water_of(std::size_t p, const Skeleton& skeleton) const {
   return skeleton.porosity[p] * saturation_[p] * skeleton.volume[p] * (1.0 + pressure_[p] / water_.bulk_modulus);
 }
 
-ConductivityAt PoreFlow::conductivity_at(std::size_t p, double pressure) const {
-  const Soil& soil = soils_[soil_[p]];
-  const double suction_head = -pressure / water_.unit_weight();
-  const double saturation = evaluate(soil.retention, suction_head).saturation;
-  return {soil.hydraulic_conductivity * soil.relative_permeability.evaluate(suction_head, saturation), -suction_head};
+// What the soil of a particle conducts at a pressure (Pa).
+PotentialAt PoreFlow::conductivity_at(std::size_t p, double pressure) const {
+  const double pressure_head = pressure / water_.unit_weight();
+  const ConductivityCurve::Value value = operator_.curves()[soil_[p]].at(pressure_head);
+  return {value.conductivity, pressure_head, value.potential};
 }
 
 // d(k k_rw)/dpsi of a particle at its present pressure (1/s), >= 0.
@@ -114,24 +118,38 @@ double PoreFlow::conductivity_slope(std::size_t p) const {
          soil.relative_permeability.slope(suction_head, evaluate(soil.retention, suction_head));
 }
 
-// Half a spacing of soil between the face and its particle.
-double PoreFlow::face_conductance(const FacePressure& face) const {
-  const ConductivityAt particle{conductivity_[face.particle], pressure_[face.particle] / water_.unit_weight()};
-  return mean_conductivity(conductivity_at(face.particle, face.pressure), particle, face.rise) * face.area /
-         face.distance;
+// Of the water that the particle's face has let in since it began to.
+WettingFront PoreFlow::front_of(std::size_t p, double face_pressure) const {
+  const Retention& retention = soils_[soil_[p]].retention;
+  const double inverse_weight = 1.0 / water_.unit_weight();
+  const double dry = evaluate(retention, -front_start_[p] * inverse_weight).saturation;
+  const double room = evaluate(retention, -face_pressure * inverse_weight).saturation - dry;
+  constexpr double no_room = 1.0e-6;
+  if (room < no_room) return {conductivity_at(p, front_start_[p]), 1.0, 0.0};
+  return {conductivity_at(p, front_start_[p]), (saturation_[p] - dry) / room,
+          capacity_[p] * water_.unit_weight() / room};
 }
 
-// How the conductance of a face changes with the particle's head (1/s).
-double PoreFlow::face_conductance_slope(const FacePressure& face) const {
+// What the face lets in at the present pressure. A front is sharp where gravity does not hold it back.
+PoreFlow::FaceLaw PoreFlow::face_law(const FacePressure& face) const {
   const std::size_t p = face.particle;
-  const ConductivityAt particle{conductivity_[p], pressure_[p] / water_.unit_weight()};
-  return mean_conductivity_slope(particle, conductivity_at(p, face.pressure), -face.rise, conductivity_slope(p)) *
-         face.area / face.distance;
+  const HeldFace held{conductivity_at(p, face.pressure),
+                      {conductivity_[p], pressure_[p] / water_.unit_weight(), potential_[p]},
+                      conductivity_slope(p),
+                      face.rise,
+                      face.distance};
+  const double fall = held.fall();
+  if (fall <= 0.0 || face.rise < 0.0) {
+    const double mean = kirchhoff_mean(held.face, held.particle, face.rise);
+    return {face.area * mean / face.distance, face.area * settled_flow(held).slope};
+  }
+  const FaceFlow flow = wetting_flow(held, front_of(p, face.pressure));
+  return {face.area * flow.flux / fall, face.area * flow.slope};
 }
 
 double PoreFlow::face_inflow(const FacePressure& face, double head) const {
   const double face_head = face.pressure / water_.unit_weight() + elevation_[face.particle] + face.rise;
-  return face_conductance(face) * (face_head - head);
+  return face_law(face).conductance * (face_head - head);
 }
 
 // The laws of the open faces for the present pressure and head, and the parts of them that hold there.
@@ -142,10 +160,10 @@ void PoreFlow::find_open_face_laws(const Boundary& boundary) {
     const double height = elevation_[face.particle] + face.rise;
     OpenFaceLaw law;
     law.rain = face.rain;
-    law.wet_conductance = face_conductance(held_at(face, face.ponding_pressure));
+    law.wet_conductance = face_law(held_at(face, face.ponding_pressure)).conductance;
     law.wet_head = face.ponding_pressure / water_.unit_weight() + height;
     if (face.rain < 0.0) {
-      law.dry_conductance = face_conductance(held_at(face, face.lowest_pressure));
+      law.dry_conductance = face_law(held_at(face, face.lowest_pressure)).conductance;
       law.dry_head = face.lowest_pressure / water_.unit_weight() + height;
     }
     open_laws_.push_back(law);
@@ -256,8 +274,12 @@ void PoreFlow::find_flow(const Boundary& boundary) {
 // defect has the difference.
 void PoreFlow::take_in_boundary_flow(const Boundary& boundary) {
   inflow_rate_.assign(boundary.count, 0.0);
+  std::fill(face_gain_.begin(), face_gain_.end(), 0.0);
+  std::fill(face_full_.begin(), face_full_.end(), std::uint8_t{0});
   for (const FacePressure& face : boundary.faces) {
     const double rate = face_inflow(face, head_[face.particle]);
+    face_gain_[face.particle] += std::max(rate, 0.0);
+    face_full_[face.particle] = 1;
     outflow_[face.particle] -= rate;
     inflow_rate_[face.boundary] += rate;
   }
@@ -275,11 +297,21 @@ void PoreFlow::take_in_boundary_flow(const Boundary& boundary) {
   for (std::size_t k = 0; k < open_laws_.size(); ++k) {
     const OpenFace& face = boundary.open_faces[k];
     const double head = head_[face.particle];
-    const double rate = open_laws_[k].inflow(open_laws_[k].part_at(head), head);
+    const OpenFaceLaw::Part part = open_laws_[k].part_at(head);
+    const double rate = open_laws_[k].inflow(part, head);
+    face_gain_[face.particle] += std::max(rate, 0.0);
+    if (part != OpenFaceLaw::Part::air) face_full_[face.particle] = 1;
     outflow_[face.particle] -= rate;
     inflow_rate_[face.boundary] += rate;
     air_flow_ += seepage::air_flow(face.rain, rate);
   }
+}
+
+// A front begins anew where a face lets nothing in, and where a particle passes on what rain gives it.
+void PoreFlow::follow_front(std::size_t p, double gain, double time_step) {
+  constexpr double kept = 0.1;  // of what comes in, by a particle that does not pass it on
+  if (face_full_[p] != 0 && face_gain_[p] > 0.0) return;
+  if (gain <= kept * time_step * face_gain_[p]) front_start_[p] = pressure_[p];
 }
 
 // Evaluates the soil at the new pressure and books the water of the step, given the particles' outflow.
@@ -287,6 +319,7 @@ void PoreFlow::book(double time_step, const Skeleton& skeleton, const Boundary& 
   evaluate_soil();
   for (std::size_t p = 0; p < pressure_.size(); ++p) {
     const double content = water_of(p, skeleton);
+    follow_front(p, content - content_[p], time_step);
     defect_[p] += content_[p] - content - time_step * outflow_[p];
     content_[p] = content;
   }

@@ -76,7 +76,7 @@ void PoreFlow::assemble(double time_step, bool lagged) {
 double PoreFlow::find_imbalance(double time_step, const Skeleton& skeleton, const Boundary& boundary) {
   const double flow_scale = time_step / water_.unit_weight();
   find_head(skeleton);
-  operator_.set_conductivity(conductivity_, pressure_head_);
+  operator_.set_conductivity(conductivity_, pressure_head_, potential_);
   operator_.apply(head_, outflow_);
   for (std::size_t p = 0; p < pressure_.size(); ++p) {
     storage_[p] = skeleton.volume[p] * skeleton.porosity[p] *
@@ -84,7 +84,7 @@ double PoreFlow::find_imbalance(double time_step, const Skeleton& skeleton, cons
     right_side_[p] = content_[p] + defect_[p] - water_of(p, skeleton) - time_step * outflow_[p];
   }
   for (const FacePressure& face : boundary.faces) {
-    storage_[face.particle] += flow_scale * face_conductance(face);
+    storage_[face.particle] += flow_scale * face_law(face).conductance;
     right_side_[face.particle] += time_step * face_inflow(face, head_[face.particle]);
   }
   for (const Inflow& inflow : boundary.inflows) right_side_[inflow.particle] += time_step * inflow.rate;
@@ -108,8 +108,8 @@ double PoreFlow::find_imbalance(double time_step, const Skeleton& skeleton, cons
 void PoreFlow::add_face_slopes(double time_step, const Boundary& boundary) {
   const double flow_scale = time_step / water_.unit_weight();
   const auto add = [&](const FacePressure& face) {
-    const double face_head = face.pressure / water_.unit_weight() + elevation_[face.particle] + face.rise;
-    storage_[face.particle] -= flow_scale * face_conductance_slope(face) * (face_head - head_[face.particle]);
+    const FaceLaw law = face_law(face);
+    storage_[face.particle] -= flow_scale * (law.slope + law.conductance);
   };
   for (const FacePressure& face : boundary.faces) add(face);
   for (std::size_t k = 0; k < open_laws_.size(); ++k) {

@@ -16,7 +16,7 @@ namespace slope::seepage {
 
 /// The pairwise, conservative SPH operator of the hydraulic head h = P_w / gamma_w + y:
 ///
-///     (L h)_p = sum_q g_pq K_pq (h_p - h_q),   g_pq = g_qp > 0,   K_pq = mean_conductivity(p, q) = K_qp > 0,
+///     (L h)_p = sum_q g_pq K_pq (h_p - h_q),   g_pq = g_qp > 0,   K_pq = kirchhoff_mean(p, q) = K_qp > 0,
 ///
 /// the outflow of particle p (m2/s per metre of thickness). Symmetric and positive semidefinite; what leaves p enters
 /// q; a uniform head does not flow. g_pq = 2 V_p V_q F_pq c_pq, F = -W'/r, with a MomentCorrection c that makes
@@ -32,14 +32,18 @@ class HeadOperator {
 
   /// Tells soils apart; without it all particles are of one. @param soil  index into `curves` of each particle
   void set_soils(std::span<const std::uint16_t> soil, std::vector<ConductivityCurve> curves);
+  [[nodiscard]] std::span<const ConductivityCurve> curves() const { return curves_; }
 
   /// Follows the particles; works the pair factors out anew when one has moved by more than a hundredth of the
   /// spacing since the last time. @return whether it did.
   bool update(const Skeleton& skeleton);
 
-  /// Conductances of the pairs for the conductivities K_p = k k_rw (m/s). @param pressure_head  P_w / gamma_w (m);
-  /// empty: the same everywhere, and K_pq the logarithmic mean
-  void set_conductivity(std::span<const double> conductivity, std::span<const double> pressure_head = {});
+  /// Conductances of the pairs for the conductivities K_p = k k_rw (m/s), with K_pq the logarithmic mean.
+  void set_conductivity(std::span<const double> conductivity);
+  /// Conductances of the pairs for what the soils conduct at the particles' pressure heads psi = P_w / gamma_w (m).
+  /// @param potential  matric flux potential there (m2/s), of set_soils()'s curves
+  void set_conductivity(std::span<const double> conductivity, std::span<const double> pressure_head,
+                        std::span<const double> potential);
 
   /// outflow = L h (m2/s).
   void apply(std::span<const double> head, std::span<double> outflow) const;
@@ -71,6 +75,8 @@ class HeadOperator {
 
   void find_pair_factors(const Skeleton& skeleton);
   void find_seams();
+  template <class Mean>
+  void find_conductances(const Mean& mean);
   [[nodiscard]] double seam_distance(std::size_t p, std::size_t q) const;
   [[nodiscard]] SeamLeg leg(std::size_t p, double share, double drop) const;
   [[nodiscard]] SeamLeg first_leg(const Seam& seam) const;
@@ -87,7 +93,7 @@ class HeadOperator {
   std::vector<double> x_weighted_, y_weighted_;  // positions when the pair factors were worked out
   std::vector<double> factor_;                   // g_pq; 0 across seams
   std::vector<double> conductance_;              // g_pq K_pq
-  std::vector<ConductivityAt> conductivity_;     // of the particles
+  std::vector<PotentialAt> conductivity_;        // of the particles
   std::vector<double> diagonal_;
   std::vector<std::uint16_t> soil_;  // empty: one soil
   std::vector<ConductivityCurve> curves_;

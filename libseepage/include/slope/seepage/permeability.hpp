@@ -14,7 +14,7 @@ namespace slope::seepage {
 /// slope() -> dk_rw/dh_s, and a floor.
 struct RelativePermeability {
   std::variant<HillelPower, LiakopoulosPermeability, ExponentialPermeability, VanGenuchtenMualem> law;
-  double floor = 1.0e-6;  ///< lowest k_rw (-), in (0, 1): keeps every particle reachable for water
+  double floor = 1.0e-14;  ///< lowest k_rw (-), in (0, 1): what laws that reach or pass 0 end at
 
   /// @param suction_head h_s (m), any sign; @param saturation S_r (-); @return k_rw (-), in [floor, 1].
   [[nodiscard]] double evaluate(double suction_head, double saturation) const;

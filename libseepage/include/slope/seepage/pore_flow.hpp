@@ -14,6 +14,7 @@
 
 #include "slope/seepage/boundary.hpp"
 #include "slope/seepage/conjugate_gradients.hpp"
+#include "slope/seepage/face_flow.hpp"
 #include "slope/seepage/head_operator.hpp"
 #include "slope/seepage/skeleton.hpp"
 #include "slope/seepage/soil.hpp"
@@ -137,6 +138,12 @@ class PoreFlow {
     }
   };
 
+  // Inflow through a face at the present pressure of its particle.
+  struct FaceLaw {
+    double conductance = 0.0;  // over the fall of the head from the face to the particle (m/s)
+    double slope = 0.0;        // over the particle's head (m/s), <= 0
+  };
+
   // Of what a particle stores in a step, over the pressure at its end.
   struct Tangent {
     std::size_t particle = 0;
@@ -148,10 +155,10 @@ class PoreFlow {
   void evaluate_soil();
   void find_head(const Skeleton& skeleton);
   [[nodiscard]] double water_of(std::size_t p, const Skeleton& skeleton) const;
-  [[nodiscard]] ConductivityAt conductivity_at(std::size_t p, double pressure) const;
+  [[nodiscard]] PotentialAt conductivity_at(std::size_t p, double pressure) const;
   [[nodiscard]] double conductivity_slope(std::size_t p) const;
-  [[nodiscard]] double face_conductance(const FacePressure& face) const;
-  [[nodiscard]] double face_conductance_slope(const FacePressure& face) const;
+  [[nodiscard]] WettingFront front_of(std::size_t p, double face_pressure) const;
+  [[nodiscard]] FaceLaw face_law(const FacePressure& face) const;
   [[nodiscard]] double face_inflow(const FacePressure& face, double head) const;
   void find_open_face_laws(const Boundary& boundary);
   void find_drain_laws(const Boundary& boundary);
@@ -161,6 +168,7 @@ class PoreFlow {
   [[nodiscard]] double offset_share() const;
   void take_in_boundary_flow(const Boundary& boundary);
   void find_flow(const Boundary& boundary);
+  void follow_front(std::size_t p, double gain, double time_step);
   void book(double time_step, const Skeleton& skeleton, const Boundary& boundary);
   double find_imbalance(double time_step, const Skeleton& skeleton, const Boundary& boundary);
   void add_face_slopes(double time_step, const Boundary& boundary);
@@ -181,10 +189,14 @@ class PoreFlow {
   std::vector<double> pressure_, suction_, saturation_, pore_stress_;
   std::vector<double> capacity_;              // dS_r/dP_w (1/Pa)
   std::vector<double> conductivity_;          // k k_rw (m/s)
+  std::vector<double> potential_;             // its integral over the pressure head (m2/s)
   std::vector<double> pressure_head_, head_;  // P_w / gamma_w, h (m)
   std::vector<double> elevation_;             // of the particles during the step (m)
   std::vector<double> content_;               // water of each particle at its last booking (m2)
   std::vector<double> defect_;                // water that the last booking left unexplained (m2)
+  std::vector<double> front_start_;           // P_w before the water came that wets a particle from its face (Pa)
+  std::vector<double> face_gain_;             // what faces let into each particle in the latest step (m2/s), >= 0
+  std::vector<std::uint8_t> face_full_;       // whether one of them let in all that the soil takes
   std::vector<double> change_, stress_change_, latest_change_;
   std::vector<double> inflow_, inflow_rate_;
   AirFlow air_flow_;

@@ -15,7 +15,7 @@ SolveReport PoreFlow::solve(double time_step, const Skeleton& skeleton, std::spa
   const std::size_t n = pressure_.size();
   const double flow_scale = time_step / water_.unit_weight();
   find_head(skeleton);
-  operator_.set_conductivity(conductivity_, pressure_head_);
+  operator_.set_conductivity(conductivity_, pressure_head_, potential_);
   operator_.apply(head_, outflow_);
   response.diagonal(work_);
   for (std::size_t p = 0; p < n; ++p) {
@@ -28,7 +28,7 @@ SolveReport PoreFlow::solve(double time_step, const Skeleton& skeleton, std::spa
     diagonal_[p] = storage_[p] + flow_scale * operator_.diagonal()[p] + s * s * work_[p];
   }
   for (const FacePressure& face : boundary.faces) {
-    const double conductance = face_conductance(face);
+    const double conductance = face_law(face).conductance;
     storage_[face.particle] += flow_scale * conductance;
     diagonal_[face.particle] += flow_scale * conductance;
     right_side_[face.particle] += time_step * face_inflow(face, head_[face.particle]);
