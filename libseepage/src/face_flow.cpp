@@ -16,8 +16,8 @@ constexpr double within_first_quarter = 0.25, half_way = 0.5;
 }  // namespace
 
 FaceFlow settled_flow(const HeldFace& face) {
-  const double mean = mean_conductivity(face.face, face.particle, face.rise);
-  const double mean_slope = mean_conductivity_slope(face.particle, face.face, -face.rise, face.conductivity_slope);
+  const double mean = kirchhoff_mean(face.face, face.particle, face.rise);
+  const double mean_slope = kirchhoff_mean_slope(face.particle, face.face, -face.rise, face.conductivity_slope);
   const double fall = face.fall();
   return {mean * fall / face.distance, (mean_slope * fall - mean) / face.distance};
 }

@@ -108,8 +108,7 @@ SeamLeg HeadOperator::second_leg(const Seam& seam) const {
 void HeadOperator::set_conductivity(std::span<const double> conductivity) {
   for (std::size_t p = 0; p < diagonal_.size(); ++p) conductivity_[p] = {conductivity[p], 0.0, 0.0};
   find_conductances([this](std::size_t p, std::size_t q) {
-    return mean_conductivity(ConductivityAt{conductivity_[p].conductivity, 0.0},
-                             ConductivityAt{conductivity_[q].conductivity, 0.0}, 0.0);
+    return logarithmic_mean(conductivity_[p].conductivity, conductivity_[q].conductivity);
   });
 }
 
@@ -125,7 +124,7 @@ void HeadOperator::set_conductivity(std::span<const double> conductivity, std::s
     conductance_[seam.place] = conductance_[seam.back] = seam.factor * seam.mean.conductivity;
   }
   find_conductances([this](std::size_t p, std::size_t q) {
-    return mean_conductivity(conductivity_[p], conductivity_[q], y_weighted_[p] - y_weighted_[q]);
+    return kirchhoff_mean(conductivity_[p], conductivity_[q], y_weighted_[p] - y_weighted_[q]);
   });
 }
 
@@ -159,7 +158,7 @@ double HeadOperator::flow_slope(std::size_t p, std::size_t s, double slope, doub
             seam.mean.conductivity);
   }
   return factor_[s] * fall *
-         mean_conductivity_slope(conductivity_[p], conductivity_[q], y_weighted_[p] - y_weighted_[q], slope);
+         kirchhoff_mean_slope(conductivity_[p], conductivity_[q], y_weighted_[p] - y_weighted_[q], slope);
 }
 
 void HeadOperator::apply(std::span<const double> head, std::span<double> outflow) const {

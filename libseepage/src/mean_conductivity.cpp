@@ -9,117 +9,92 @@ namespace slope::seepage {
 
 namespace {
 
-constexpr double alike = 0.1;     // |d| below which a short formula takes over, in full below half of it
-constexpr double longest = 40.0;  // x beyond which nothing changes any more
+constexpr double longest = 40.0;      // x beyond which nothing changes any more
+constexpr double bend_width = 0.005;  // of the passage to the level mean, of the conductivity
 
-// x, and how it changes with d. Two soils may have d against psi: then both are 0.
-struct Length {
-  double x = 0.0, over_d = 0.0;
-};
-
-Length length_of(double d, double fall, double drop) {
-  if (d * fall <= 0.0) return {};
-  const double x = d / fall * drop;
-  return std::abs(x) < longest ? Length{x, drop / fall} : Length{std::copysign(longest, x), 0.0};
+bool equal(const PotentialAt& a, const PotentialAt& b) {
+  return std::abs(a.conductivity - b.conductivity) <= 1.0e-6 * b.conductivity;
 }
 
-// For ends that are alike: Simpson's rule, and to first order in d how far the wet end counts for more. Of
-// coth(x/2) - 2/x it takes a fraction with the same ends, within 7 %.
-double mean_of_alike(const ConductivityAt& a, const ConductivityAt& b, double drop) {
-  const double sum = a.conductivity + b.conductivity;
-  const double level = (sum + 4.0 * std::sqrt(a.conductivity * b.conductivity)) / 6.0;
-  const double d = 2.0 * (a.conductivity - b.conductivity) / sum;
-  const double y = 0.5 * length_of(d, a.pressure_head - b.pressure_head, drop).x, size = std::abs(y);
-  return level * (1.0 + 0.5 * d * y / (1.0 + size + 4.0 / (2.0 + size)));
-}
-
-double mean_of_unlike(const ConductivityAt& a, const ConductivityAt& b, double drop) {
-  const double d = std::log(a.conductivity / b.conductivity);
-  const double x = length_of(d, a.pressure_head - b.pressure_head, drop).x;
-  return b.conductivity * phi(d + x) / phi(x);
-}
-
-ConductivityAt without_potential(const PotentialAt& end) {
-  return {end.conductivity, end.pressure_head};
-}
-
-// Of the difference of two conductivities: 0 where they are so alike that the short formula holds, 1 where it does not.
-double share_of_unlike(double a, double b) {
-  const double sum = a + b;
-  return std::clamp(2.0 * std::abs(a - b) / (0.5 * alike * sum) - 1.0, 0.0, 1.0);
-}
-
-// With G the exponential's mean, L its level mean, W the limit to which it tends and M the level mean of the true curve
-// it is W - (W - M) (W - G) / (W - L).
-struct TrueMean {
-  TrueMean(const PotentialAt& a, const PotentialAt& b, double drop)
-      : more(a.conductivity - b.conductivity),
-        fall(a.pressure_head - b.pressure_head),
+// Gravity helps: the wetter end is above, or the path is level. The level mean is more where the curve is flat at the
+// wetter end and steep at the other: soil that is wet over most of the path conducts its weight of water too.
+struct DownMean {
+  DownMean(const PotentialAt& a, const PotentialAt& b, double z)
+      : drop(z),
         gain(a.potential - b.potential),
-        d(std::log(a.conductivity / b.conductivity)),
-        x(std::clamp(drop * more / gain, -longest, longest)),
-        follows_first(drop > 0.0),
-        exponential(b.conductivity * phi(d + x) / phi(x)),
-        exponential_level(more / d),
+        x((a.conductivity - b.conductivity) / gain * drop),
+        weight(1.0 / phi(-x)),
+        whole(a.pressure_head - b.pressure_head + drop),
+        fall(a.pressure_head - b.pressure_head),
         level(gain / fall),
-        limit(follows_first ? a.conductivity : b.conductivity),
-        ratio((limit - exponential) / (limit - exponential_level)) {}
+        exponential((b.conductivity * drop + gain * weight) / whole) {}
 
-  [[nodiscard]] double value() const { return limit - (limit - level) * ratio; }
-
-  // Over the pressure head at a.
-  [[nodiscard]] double slope_at(const PotentialAt& a, double slope) const {
-    const double over_d = slope / a.conductivity;
-    const double over_x = std::abs(x) < longest ? x * (slope / more - a.conductivity / gain) : 0.0;
-    const double over_exponential =
-        exponential * (log_phi_slope(d + x) * (over_d + over_x) - log_phi_slope(x) * over_x);
-    const double over_exponential_level = (slope - exponential_level * over_d) / d;
-    const double over_level = (a.conductivity - level) / fall;
-    const double over_limit = follows_first ? slope : 0.0;
-    const double over_ratio =
-        (over_limit - over_exponential - ratio * (over_limit - over_exponential_level)) / (limit - exponential_level);
-    return over_limit - (over_limit - over_level) * ratio - (limit - level) * over_ratio;
+  // No less than the level mean, nearly: it bends over to it without a kink.
+  [[nodiscard]] double mean() const {
+    const double lack = 1.0 - exponential / level;
+    return lack > 0.0 ? exponential + level * lack * lack / (lack + bend_width) : exponential;
   }
 
-  double more, fall, gain;  // of the conductivity, the pressure head and the potential from b to a
-  double d, x;
-  bool follows_first;
-  double exponential, exponential_level, level, limit, ratio;
+  [[nodiscard]] double slope_at(const PotentialAt& a, double slope) const {
+    const double bend = weight * log_phi_slope(-x) * (drop * slope - x * a.conductivity);
+    const double over = (a.conductivity * weight + bend - exponential) / whole;
+    const double lack = 1.0 - exponential / level;
+    if (lack <= 0.0) return over;
+    const double over_level = (a.conductivity - level) / fall, sum = lack + bend_width;
+    const double over_lack = (exponential / level * over_level - over) / level;
+    return over + over_level * lack * lack / sum + level * lack * (lack + 2.0 * bend_width) / (sum * sum) * over_lack;
+  }
+
+  double drop, gain, x, weight, whole, fall, level, exponential;
 };
+
+// Gravity opposes: the wetter end is below.
+struct UpMean {
+  UpMean(const PotentialAt& a, const PotentialAt& b, double z)
+      : drop(z),
+        more(a.conductivity - b.conductivity),
+        fall(a.pressure_head - b.pressure_head),
+        d(std::log(a.conductivity / b.conductivity)),
+        x(std::clamp(d / fall * drop, -longest, longest)),
+        exponential(b.conductivity * phi(d + x) / phi(x)),
+        level((a.potential - b.potential) / fall),
+        ratio(level * d / more),
+        share(fall / (fall - drop)),
+        mean(exponential * (1.0 + (ratio - 1.0) * share)) {}
+
+  [[nodiscard]] double slope_at(const PotentialAt& a, double slope) const {
+    const double over_d = slope / a.conductivity;
+    const double over_x = std::abs(x) < longest ? (drop * over_d - x) / fall : 0.0;
+    const double of_exponential = log_phi_slope(d + x) * (over_d + over_x) - log_phi_slope(x) * over_x;
+    const double of_ratio = (a.conductivity - level) / (fall * level) - (slope - more / d * over_d) / more;
+    const double over_share = -drop / ((fall - drop) * (fall - drop));
+    return mean * of_exponential + exponential * (ratio * of_ratio * share + (ratio - 1.0) * over_share);
+  }
+
+  double drop, more, fall, d, x, exponential, level, ratio, share, mean;
+};
+
+bool gravity_helps(const PotentialAt& a, const PotentialAt& b, double drop) {
+  return (a.conductivity - b.conductivity) * drop >= 0.0;
+}
 
 }  // namespace
 
-double mean_conductivity(const ConductivityAt& a, const ConductivityAt& b, double drop) {
-  const double sum = a.conductivity + b.conductivity;
-  const double difference = 2.0 * std::abs(a.conductivity - b.conductivity);  // over the sum: |d|, nearly
-  if (difference < 0.5 * alike * sum) return mean_of_alike(a, b, drop);
-  const double mean = mean_of_unlike(a, b, drop);
-  if (difference > alike * sum) return mean;
-  const double share = difference / (0.5 * alike * sum) - 1.0;
-  return share * mean + (1.0 - share) * mean_of_alike(a, b, drop);
+double logarithmic_mean(double a, double b) {
+  constexpr double alike = 1.0e-3;  // difference over the mean below which Simpson's rule is exact to rounding
+  const double sum = a + b, difference = a - b;
+  if (2.0 * std::abs(difference) < alike * sum) return (sum + 4.0 * std::sqrt(a * b)) / 6.0;
+  return difference / std::log(a / b);
 }
 
-double mean_conductivity_slope(const ConductivityAt& a, const ConductivityAt& b, double drop, double slope) {
-  const double d = std::log(a.conductivity / b.conductivity);
-  const double fall = a.pressure_head - b.pressure_head;
-  const Length length = length_of(d, fall, drop);
-  const double both = log_phi_slope(d + length.x), rest = log_phi_slope(length.x);
-  const double over_d = both * (1.0 + length.over_d) - rest * length.over_d;
-  const double over_fall = length.over_d != 0.0 ? -(both - rest) * length.x / fall : 0.0;
-  return mean_conductivity(a, b, drop) * (over_d * slope / a.conductivity + over_fall);
+double kirchhoff_mean(const PotentialAt& a, const PotentialAt& b, double drop) {
+  if (equal(a, b)) return 0.5 * (a.conductivity + b.conductivity);
+  return gravity_helps(a, b, drop) ? DownMean(a, b, drop).mean() : UpMean(a, b, drop).mean;
 }
 
-double mean_conductivity(const PotentialAt& a, const PotentialAt& b, double drop) {
-  const double share = share_of_unlike(a.conductivity, b.conductivity);
-  const double of_alike = share < 1.0 ? mean_of_alike(without_potential(a), without_potential(b), drop) : 0.0;
-  return share > 0.0 ? share * TrueMean(a, b, drop).value() + (1.0 - share) * of_alike : of_alike;
-}
-
-double mean_conductivity_slope(const PotentialAt& a, const PotentialAt& b, double drop, double slope) {
-  const double share = share_of_unlike(a.conductivity, b.conductivity);
-  const double of_alike =
-      share < 1.0 ? mean_conductivity_slope(without_potential(a), without_potential(b), drop, slope) : 0.0;
-  return share > 0.0 ? share * TrueMean(a, b, drop).slope_at(a, slope) + (1.0 - share) * of_alike : of_alike;
+double kirchhoff_mean_slope(const PotentialAt& a, const PotentialAt& b, double drop, double slope) {
+  if (equal(a, b)) return 0.5 * slope;
+  return gravity_helps(a, b, drop) ? DownMean(a, b, drop).slope_at(a, slope) : UpMean(a, b, drop).slope_at(a, slope);
 }
 
 }  // namespace slope::seepage

@@ -22,9 +22,9 @@ struct LegFlow {
 LegFlow flow_of(const SeamLeg& leg, double pressure_head) {
   const ConductivityCurve::Value at_seam = leg.curve->at(pressure_head);
   const PotentialAt seam{at_seam.conductivity, pressure_head, at_seam.potential};
-  const double mean = mean_conductivity(leg.end, seam, leg.drop);
+  const double mean = kirchhoff_mean(leg.end, seam, leg.drop);
   const double fall = leg.head() - pressure_head;
-  const double bend = at_seam.slope > 0.0 ? mean_conductivity_slope(seam, leg.end, -leg.drop, at_seam.slope) : 0.0;
+  const double bend = kirchhoff_mean_slope(seam, leg.end, -leg.drop, at_seam.slope);
   return {mean, mean * fall / leg.share, std::min(bend * fall - mean, -1.0e-3 * mean) / leg.share};
 }
 
@@ -53,8 +53,8 @@ SeamMean seam_mean(const SeamLeg& a, const SeamLeg& b, double guess) {
 double seam_flow_slope(const SeamLeg& leg, double pressure_head, double reach, double slope) {
   const ConductivityCurve::Value at_seam = leg.curve->at(pressure_head);
   const PotentialAt seam{at_seam.conductivity, pressure_head, at_seam.potential};
-  const double mean = mean_conductivity(leg.end, seam, leg.drop);
-  const double bend = slope > 0.0 ? mean_conductivity_slope(leg.end, seam, leg.drop, slope) : 0.0;
+  const double mean = kirchhoff_mean(leg.end, seam, leg.drop);
+  const double bend = kirchhoff_mean_slope(leg.end, seam, leg.drop, slope);
   return reach * (bend * (leg.head() - pressure_head) + mean) / leg.share;
 }
 

@@ -35,15 +35,16 @@ class Run {
     writer_.write_case(simulation_.input());
     log_beginning();
     try {
-      start();
-      while (!advance()) {
+      if (start()) {
+        while (!advance()) {
+        }
       }
     } catch (const couple::SimulationError& error) {
       // that soil in free fall cannot be computed any more does not change what is known of the slope
       const bool known = !simulation_.summary().stands_before;
       return break_off("error", error.what(), known ? ExitCode::fine : ExitCode::broken_physics);
     }
-    if (record_.end_reason == "interrupted") return break_off("interrupted", "", ExitCode::interrupted);
+    if (record_.end_reason == "interrupted") return break_off("interrupted", record_.message, ExitCode::interrupted);
     finish();
     return ExitCode::fine;
   }
@@ -60,10 +61,19 @@ class Run {
     }
   }
 
-  void start() {
+  /// @return whether the initial state was found, and not interrupted.
+  bool start() {
     write_summary();
     progress_.say("initial state");
-    simulation_.initialise();
+    const bool found = simulation_.initialise([this](const couple::InitialProgress& progress) {
+      progress_.show(progress);
+      return !interrupted();
+    });
+    if (!found) {
+      record_.end_reason = "interrupted";
+      record_.message = "interrupted before the start: the initial state is as far as it came";
+      return false;
+    }
     progress_.begin_steps();
     writer_.log(
         fmt::format("{:.1f} s: initial state of {} particles", progress_.elapsed(), simulation_.summary().particles));
@@ -73,6 +83,7 @@ class Run {
     add_rows();
     writer_.add_snapshot(simulation_.particles(), "start");
     write_summary();
+    return true;
   }
 
   /// The verdict on a slope that falls by itself comes before what shows how.
@@ -129,7 +140,9 @@ class Run {
       std::fprintf(stderr, "slope-sim: %s\n", message.c_str());
       writer_.log(message);
     }
-    if (simulation_.progress().steps > 0) writer_.add_snapshot(simulation_.particles(), reason);
+    if (simulation_.progress().steps > 0 || reason == "interrupted") {
+      writer_.add_snapshot(simulation_.particles(), reason);
+    }
     conclude();
     return code;
   }

@@ -30,7 +30,7 @@ struct FaceFlow {
 };
 
 /// Through half a spacing in which the pressure goes over steadily from the face's to the particle's: the
-/// mean_conductivity() times the gradient of the head.
+/// kirchhoff_mean() times the gradient of the head.
 [[nodiscard]] FaceFlow settled_flow(const HeldFace& face);
 
 /// As far as a sharp front that is still within the particle's spacing 2 d: the soil behind it is as wet as the face

@@ -16,7 +16,7 @@ namespace slope::seepage {
 
 /// The pairwise, conservative SPH operator of the hydraulic head h = P_w / gamma_w + y:
 ///
-///     (L h)_p = sum_q g_pq K_pq (h_p - h_q),   g_pq = g_qp > 0,   K_pq = mean_conductivity(p, q) = K_qp > 0,
+///     (L h)_p = sum_q g_pq K_pq (h_p - h_q),   g_pq = g_qp > 0,   K_pq = kirchhoff_mean(p, q) = K_qp > 0,
 ///
 /// the outflow of particle p (m2/s per metre of thickness). Symmetric and positive semidefinite; what leaves p enters
 /// q; a uniform head does not flow. g_pq = 2 V_p V_q F_pq c_pq, F = -W'/r, with a MomentCorrection c that makes

@@ -29,7 +29,7 @@ struct SeamMean {
 ///
 ///     K_a (h_a - h_s) / l_a = K_b (h_s - h_b) / l_b,     1 / K = l_a / K_a + l_b / K_b,
 ///
-/// with the head h_s at the seam, the legs' shares l, and in each leg the mean_conductivity() of its own soil between
+/// with the head h_s at the seam, the legs' shares l, and in each leg the kirchhoff_mean() of its own soil between
 /// its end and the seam. h_s lies between the heads of the ends. Saturated, it is the harmonic mean; it changes
 /// steadily with the pressures at the ends, also through saturation and where the flow turns.
 /// @param guess  of the pressure head at the seam (m); what is found depends on it by rounding only
