@@ -22,6 +22,7 @@ constexpr double driest_air = -20.0 * millimetre_per_day;      // no day ever to
 constexpr double gap = 1.5;                                    // usual steps
 constexpr double even_share = 0.75;                            // of the steps of a table whose gaps are odd
 
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 constexpr std::string_view expected_header =
     "expected a header such as \"time_h,intensity_mm_per_h\" (time in s, min, h or d; intensity in mm or m per s, h or "
     "d)";
@@ -119,14 +120,19 @@ std::variant<RainTable, std::string> read_hyetograph(const std::filesystem::path
   std::optional<std::string> time_unit, intensity_unit;
   std::string line;
   for (int row = 1; std::getline(stream, line); ++row) {
+    if (row == 1 && line.starts_with(byte_order_mark)) line.erase(0, byte_order_mark.size());
     if (trimmed(line).empty() || line.front() == '#') continue;
     const auto wrong = [&](std::string_view what) { return fmt::format("{}:{}: {}", file.string(), row, what); };
     const auto cells = cells_of(line);
+    const auto unlike = [&](std::string_view expected) {
+      return wrong(
+          fmt::format("{}, columns parted by a comma, decimals by a point; got \"{}\"", expected, trimmed(line)));
+    };
     if (!time_unit) {
-      if (!cells) return wrong(expected_header);
+      if (!cells) return unlike(expected_header);
       time_unit = unit_of((*cells)[0], "time_", Dimension::time);
       intensity_unit = unit_of((*cells)[1], "intensity_", Dimension::velocity);
-      if (!time_unit || !intensity_unit) return wrong(expected_header);
+      if (!time_unit || !intensity_unit) return unlike(expected_header);
       continue;
     }
     if (cells && is_missing((*cells)[1])) {
@@ -135,7 +141,7 @@ std::variant<RainTable, std::string> read_hyetograph(const std::filesystem::path
     }
     const auto time = cells ? value_of((*cells)[0], *time_unit, Dimension::time) : std::nullopt;
     const auto intensity = cells ? value_of((*cells)[1], *intensity_unit, Dimension::velocity) : std::nullopt;
-    if (!time || !intensity) return wrong("expected two numbers, a time and the intensity from then on");
+    if (!time || !intensity) return unlike("expected two numbers, a time and the intensity from then on");
     table.steps.push_back({*time, *intensity});
     lines.push_back(row);
     if (lines.size() > 1 && table.steps.back().time <= table.steps[lines.size() - 2].time) {

@@ -83,27 +83,27 @@ void draw_curves(Canvas& canvas, const PlotFrame& frame, const HistoryChart& cha
   }
 }
 
-/// A line at the onset (s) and, above the frame, its time, not further to the left than `leftmost`.
-void draw_onset(Canvas& canvas, const PlotFrame& frame, double onset, const TimeUnit& unit, double leftmost) {
+/// A line at a time and, so many em above the frame, its name and the time, not further to the left than `leftmost`.
+void draw_mark(Canvas& canvas, const PlotFrame& frame, const TimeMark& mark, const std::vector<double>& dashes,
+               double above, const TimeUnit& unit, double leftmost) {
   const double em = canvas.em();
   const Box& box = frame.box;
-  const double x = frame.at(onset / unit.seconds, 0.0).x;
-  canvas.stroke({{x, box.bottom}, {x, box.top}}, {0.08 * em, ink, {0.4 * em, 0.3 * em}});
-  const std::string note = "onset of failure, t = " + time_text(onset, unit);
+  const double x = frame.at(mark.time / unit.seconds, 0.0).x;
+  canvas.stroke({{x, box.bottom}, {x, box.top}}, {0.08 * em, ink, dashes});
+  const std::string note = mark.name + ", t = " + time_text(mark.time, unit);
   const double half = 0.5 * canvas.text_width(note);
   const double centre = std::max(std::min(x, box.right - half), leftmost + half);
-  canvas.text({centre, box.top + 0.85 * em}, note, {.anchor = Anchor::centre});
+  canvas.text({centre, box.top + above * em}, note, {.anchor = Anchor::centre});
 }
 
-/// A dotted line and its name beside it: to the left, where curves are low until then, if there is room.
+void draw_onset(Canvas& canvas, const PlotFrame& frame, double onset, const TimeUnit& unit, double leftmost) {
+  const double em = canvas.em();
+  draw_mark(canvas, frame, {onset, "onset of failure"}, {0.4 * em, 0.3 * em}, 0.85, unit, leftmost);
+}
+
 void draw_other_onset(Canvas& canvas, const PlotFrame& frame, const TimeMark& mark, const TimeUnit& unit) {
   const double em = canvas.em();
-  const double x = frame.at(mark.time / unit.seconds, 0.0).x, top = frame.box.top;
-  canvas.stroke({{x, frame.box.bottom}, {x, top}}, {0.08 * em, ink, {0.1 * em, 0.3 * em}});
-  const std::string note = mark.name + ", t = " + time_text(mark.time, unit);
-  const bool fits = x - canvas.text_width(note) - em > frame.box.left;
-  canvas.text({fits ? x - 0.5 * em : x + 0.5 * em, top - 0.9 * em}, note,
-              {.anchor = fits ? Anchor::right : Anchor::left});
+  draw_mark(canvas, frame, mark, {0.1 * em, 0.3 * em}, 2.15, unit, frame.box.left);
 }
 
 constexpr double sample_length = 2.4;  // em
@@ -177,7 +177,7 @@ void write_history_chart(const std::filesystem::path& file, int width, const His
   Canvas canvas(width, static_cast<int>(std::lround(aspect * width)), em);
   const auto names = curve_names({chart});
   const double bottom = room_below(canvas) + 0.4 * em;
-  const double top = canvas.height() - (chart.onset ? 3.7 : 2.2) * em;
+  const double top = canvas.height() - (chart.other_onset ? 5.0 : chart.onset ? 3.7 : 2.2) * em;
   const double right = width - legend_room(canvas, names);
 
   PlotFrame frame;
@@ -232,9 +232,6 @@ void write_stacked_histories(const std::filesystem::path& file, int width, const
     canvas.text({frame.box.left, top + 0.85 * em}, caption);
     if (charts[i].onset) {
       draw_onset(canvas, frame, *charts[i].onset, unit, frame.box.left + canvas.text_width(caption) + 1.2 * em);
-    }
-    if (charts[i].other_onset) {
-      draw_other_onset(canvas, frame, *charts[i].other_onset, unit);
     }
     top -= panel_height + between;
   }

@@ -29,7 +29,8 @@ struct HistoryChart {
   std::vector<double> times;  ///< (s)
   std::vector<Curve> curves;
   std::optional<double> onset;                         ///< of failure (s)
-  std::optional<TimeMark> other_onset = std::nullopt;  ///< by the criterion that the case did not choose
+  std::optional<TimeMark> other_onset = std::nullopt;  ///< by the criterion that the case did not choose; not drawn in
+                                                       ///< stacked charts
 };
 
 /// @throws couple::FileError if it cannot be written.

@@ -91,7 +91,7 @@ class Run {
     const couple::Summary summary = simulation_.summary();
     if (summary.stands_before) return;
     const std::string text = verdict_text(simulation_.input(), summary) +
-                             "; what follows is how it falls. To see the rain, make it stronger, flatter or drier";
+                             "; what follows is how it falls. To see what comes later, make it stronger, flatter or drier";
     writer_.log(text);
     progress_.say(text);
   }

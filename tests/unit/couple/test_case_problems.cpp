@@ -488,12 +488,18 @@ TEST(Hyetograph, FileGetsOneMessageWithItsLine) {
   const std::string header =
       "expected a header such as \"time_h,intensity_mm_per_h\" (time in s, min, h or d; intensity in mm or m per s, h "
       "or d)";
+  const std::string parted = ", columns parted by a comma, decimals by a point; got ";
+  const auto numbers = [&](int line) {
+    return ":" + std::to_string(line) + ": expected two numbers, a time and the intensity from then on" + parted;
+  };
   const std::vector<std::pair<std::string, std::string>> mistakes{
       {"", ": holds no row; " + header},
-      {"0,1\n", ":1: " + header},
-      {"# rain\ntime_h,intensity_mm\n0,1\n", ":2: " + header},
-      {"time_h,intensity_mm_per_h\n0,1\n2\n", ":3: expected two numbers, a time and the intensity from then on"},
-      {"time_h,intensity_mm_per_h\n0,a lot\n", ":2: expected two numbers, a time and the intensity from then on"},
+      {"0,1\n", ":1: " + header + parted + "\"0,1\""},
+      {"# rain\ntime_h,intensity_mm\n0,1\n", ":2: " + header + parted + "\"time_h,intensity_mm\""},
+      {"time_h;intensity_mm_per_h\n0;1\n", ":1: " + header + parted + "\"time_h;intensity_mm_per_h\""},
+      {"time_h,intensity_mm_per_h\n0,1\n2\n", numbers(3) + "\"2\""},
+      {"time_h,intensity_mm_per_h\n0,0,5\n", numbers(2) + "\"0,0,5\""},
+      {"time_h,intensity_mm_per_h\n0,a lot\n", numbers(2) + "\"0,a lot\""},
       {"time_h,intensity_mm_per_h\n0,1\n2,3\n2,4\n", ":4: times must grow from row to row"},
       {"time_h,intensity_mm_per_h\n0,1\n1,-999\n2,0\n",
        ":3: \"-999\" stands for a missing value; write what fell then, 0 if nothing did"},
@@ -575,6 +581,7 @@ TEST_F(RainTables, MustSayWhatComesAfterALastRowThatIsWet) {
 TEST_F(RainTables, AreWarnedOfGapsThatHoldRain) {
   const std::string even = "0,0\n1,2\n2,3\n3,1\n4,1\n5,0\n6,0\n";
   EXPECT_EQ(told_of(even), Texts{});
+  EXPECT_EQ(told_of(even + "7,0\r\n"), Texts{});
   const auto told = told_of("0,0\n1,2\n2,3\n3,1\n4,1\n9,2\n10,0\n");
   ASSERT_EQ(told.size(), 1u);
   EXPECT_TRUE(

@@ -270,7 +270,7 @@ TEST(CaseValues, SuctionAddsNoStrengthUnlessTheCaseSays) {
 
 TEST(CaseValues, RainComesFromAFileBesideTheCaseOrItsBase) {
   const CaseFolder folder;
-  folder.write("storm.csv", "# a storm\ntime_h,intensity_mm_per_h\n0, 36\r\n0.5,0\n");
+  folder.write("storm.csv", "\xEF\xBB\xBF# a storm\ntime_h,intensity_mm_per_h\n0, 36\r\n0.5,0\n");
   const auto base = folder.write("base.yaml", slope_with("at: ground_surface, pressure: 0 kPa, applied_to: particle",
                                                          "at: free_surface, rain: {file: storm.csv}")
                                                   .content);

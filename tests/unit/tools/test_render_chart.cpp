@@ -54,6 +54,9 @@ TEST(HistoryChart, DrawsCurvesAndOnset) {
   }
   EXPECT_GT(blue, 500) << "pixels of the curve";
   EXPECT_NE(bytes_of(folder.path() / "stood.png"), bytes_of(folder.path() / "failed.png"));
+  chart.other_onset = TimeMark{170.0, "runs away"};
+  write_history_chart(folder.path() / "both.png", 800, chart);
+  EXPECT_NE(bytes_of(folder.path() / "both.png"), bytes_of(folder.path() / "failed.png"));
 }
 
 TEST(BudgetCurves, AreThoseThatOccur) {

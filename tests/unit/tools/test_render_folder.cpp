@@ -6,6 +6,7 @@
 #include "csv_table.hpp"
 #include "picture_file.hpp"
 #include "pictures.hpp"
+#include "run_curves.hpp"
 #include "scratch_folder.hpp"
 #include "slope/couple/read_case.hpp"
 #include "synthetic_run.hpp"
@@ -43,6 +44,19 @@ TEST(RunFolder, GivesTheStandardPictures) {
   for (const auto& file : written) {
     EXPECT_EQ(PictureFile(file).width(), 400) << file;
   }
+}
+
+TEST(RunFolder, TellsTheOnsetThatTheCaseDidNotChoose) {
+  RunFolder run;
+  EXPECT_FALSE(other_onset(run));
+  run.onset = run.displacement_onset = 590.0;
+  run.runaway_onset = 650.0;
+  ASSERT_TRUE(other_onset(run));
+  EXPECT_EQ(other_onset(run)->time, 650.0);
+  EXPECT_EQ(other_onset(run)->name, "runs away");
+  run.input.onset = couple::Onset::runaway;
+  EXPECT_EQ(other_onset(run)->time, 590.0);
+  EXPECT_EQ(other_onset(run)->name, "2 cm");
 }
 
 TEST(RunFolder, DrawsFieldsAndTimesThatAreAskedFor) {
