@@ -112,8 +112,8 @@ void Frame::place(WaterBoundary& boundary) const {
 Case Frame::place(const Case& given) const {
   Case result = given;
   auto& [path, title, gravity, domain, walls, soils, regions, water, initial_water, initial_stress, k0_coefficient,
-         water_boundaries, tractions, seismic, scheme, skeleton, mixture_density, numerics, clock, onset_displacement,
-         failure_zone_strain, stop, points, output, figures] = result;
+         water_boundaries, tractions, seismic, scheme, skeleton, mixture_density, numerics, clock, onset,
+         onset_displacement, failure_zone_strain, stop, points, output, figures] = result;
   auto& [lower, upper, cell_size, particles_per_cell, surface_particles] = domain;
   lower = {0.0, 0.0};
   upper = {width_, height_};

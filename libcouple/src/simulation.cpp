@@ -27,7 +27,6 @@ constexpr double zone_mark = 0.10;   // m: displacement at which the failure zon
 constexpr int steps_per_call = 200;  // after which advance() returns even if nothing is due
 constexpr double sliver = 1.0e-6;    // share of a step by which two times may differ and be the same
 constexpr double at_once = 10.0;     // first periods after the start in which a slope fails at once
-constexpr double fallen = 0.30;  // m: where a slope that does not stand ends, unless the case says how far it shall go
 
 InitialParticles fill(const Case& input) {
   InitialParticles particles = fill_regions(input.domain, input.regions);
@@ -294,8 +293,6 @@ void Simulation::State::check_end() {
     end("after_onset");
   } else if (comes_to_rest()) {
     end("at_rest");
-  } else if (!result.stands_before && !input.stop.asks_how_far() && largest_displacement >= fallen) {
-    end("fell");
   }
 }
 

@@ -29,8 +29,7 @@ void read_summary(const std::filesystem::path& file, RunFolder& run) {
     run.runaway_onset = number(summary["onset_by_runaway_s"]);
     run.case_file = summary["case"].as<std::string>("");
     const auto reason = summary["end"]["reason"].as<std::string>("");
-    run.complete = reason == "time" || reason == "displacement" || reason == "after_onset" || reason == "at_rest" ||
-                   reason == "fell";
+    run.complete = reason == "time" || reason == "displacement" || reason == "after_onset" || reason == "at_rest";
     const YAML::Node zone = summary["failure_zone"]["at_end"];
     if (zone.IsDefined() && zone.IsMap()) {
       run.zone = ZoneSize{zone["length_m"].as<double>(), zone["height_m"].as<double>()};

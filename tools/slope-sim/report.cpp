@@ -10,7 +10,6 @@ namespace {
 
 std::string end_text(const couple::Case& input, const couple::Summary& summary, const RunRecord& record) {
   if (record.end_reason == "at_rest") return "the slide has come to rest";
-  if (record.end_reason == "fell") return "it fell; stop.displacement, after_onset or at_rest would let it go on";
   const bool moves = input.stop.at_rest && summary.onset_time;
   const std::string note = moves ? "; the slide had not come to rest" : "";
   if (record.end_reason == "time") return "the time asked for" + note;

@@ -198,9 +198,6 @@ struct Stop {
   double displacement = never;  ///< largest displacement (m)
   double after_onset = never;   ///< time after the onset of failure (s)
   bool at_rest = false;         ///< when the slide has come to rest after its onset
-
-  /// Whether the case says how far a slide shall be followed.
-  [[nodiscard]] bool asks_how_far() const { return displacement < never || after_onset < never || at_rest; }
 };
 
 /// A point of the initial geometry whose nearest particle is followed.

@@ -128,7 +128,7 @@ struct DisplacementTime {
 };
 
 struct Summary {
-  std::string end_reason;  ///< "time", "displacement", "after_onset", "at_rest", "fell", or "running"
+  std::string end_reason;  ///< "time", "displacement", "after_onset", "at_rest", or "running"
   Verdict verdict = Verdict::undecided;
   bool stands_before = true;                 ///< a balance was found before the start, or none was asked for
   double time = 0.0;                         ///< simulated (s)
