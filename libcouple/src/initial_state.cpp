@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <map>
 #include <numbers>
-
-#include "slope/couple/simulation.hpp"
+#include <sstream>
+#include <string>
 
 namespace slope::couple {
 
@@ -13,20 +14,32 @@ namespace {
 
 constexpr double balanced = 1.0e-6;      // unbalanced over gravity forces at which the stress is taken as found
 constexpr double longest_search = 40.0;  // first periods
+constexpr int steps_between_questions = 20;
 
-// Damped motion at fixed positions until the forces balance. Returns the unbalanced over the gravity forces.
-double find_balance(Mixture& mixture, const Actions& actions, const SlopeScale& scale, double time_step, bool yields) {
+std::string number_text(double value) {
+  std::ostringstream text;
+  text << std::setprecision(4) << value;
+  return text.str();
+}
+
+// Damped motion at fixed positions until the forces balance. Returns the unbalanced over the gravity forces; none if it
+// was not to go on.
+std::optional<double> find_balance(Mixture& mixture, const Actions& actions, const SlopeScale& scale, double time_step,
+                                   bool yields, const InitialObserver& go_on) {
   // near critical for the first shear mode, whose period is about twice that of the first P-wave
   const double damping = 2.0 * std::numbers::pi / scale.period();
   solid::MaterialPointMethod& soil = mixture.soil;
   const solid::StepMode mode{.yields = yields, .moves = false, .accumulates_strain = false};
   double unbalanced = 0.0;
+  int steps = 0;
   for (double t = 0.0; t < longest_search * scale.period(); t += time_step) {
     soil.predict(time_step, mixture.pore_state(), actions.tractions, damping, actions.body_acceleration,
                  actions.standing_water.view());
     soil.advance(time_step, mixture.water.suction(), mode);
     unbalanced = soil.balance().unbalanced_force / soil.balance().weight;
     if (t > scale.period() && unbalanced < balanced) break;
+    const bool asks = ++steps % steps_between_questions == 0;
+    if (asks && !go_on({yields ? "stress" : "elastic stress", unbalanced, balanced})) return std::nullopt;
   }
   return unbalanced;
 }
@@ -58,6 +71,23 @@ void set_horizontal_stress(solid::Particles& p, std::span<const double> k0) {
   for (std::size_t i = 0; i < p.size(); ++i) p.sxx[i] = p.szz[i] = k0[p.soil[i]] * p.syy[i];
 }
 
+// Which particle keeps the flow from being steady: the one whose pressure changed most in the latest step.
+std::string unsteady_text(const Mixture& mixture, double longest_step) {
+  const std::span<const double> change = mixture.water.latest_change(), pressure = mixture.water.pressure();
+  std::size_t worst = 0;
+  for (std::size_t p = 0; p < change.size(); ++p) {
+    if (std::abs(change[p]) > std::abs(change[worst])) worst = p;
+  }
+  const solid::Particles& soil = mixture.soil.particles();
+  return "the steady state of the pore water before the start was not found in 400 steps, the longest of " +
+         number_text(longest_step) + " s: particle " + std::to_string(worst) + " at x = " + number_text(soil.x[worst]) +
+         " m, y = " + number_text(soil.y[worst]) + " m, with a pressure of " + number_text(pressure[worst]) +
+         " Pa, still " + (change[worst] > 0.0 ? "gets wetter, by " : "dries, by ") +
+         number_text(std::abs(change[worst])) +
+         " Pa in the latest step. Either water can enter and not leave, or leave and not enter, and no steady state "
+         "exists; or its soil's conductivity falls too steeply near saturation: give its retention an air_entry";
+}
+
 }  // namespace
 
 double WaterTable::height_at(double x) const {
@@ -87,41 +117,48 @@ std::vector<double> initial_pressure(const Case& input, const InitialParticles& 
   return pressure;
 }
 
-void find_steady_flow(Mixture& mixture, BoundaryConditions& conditions) {
+bool find_steady_flow(Mixture& mixture, BoundaryConditions& conditions, const InitialObserver& go_on) {
   Actions actions;
   conditions.apply_initial(mixture, actions);
   const double tolerance = 1.0e-3;  // Pa
+  const double steady = 1.0e8;      // s
   double step = 1.0;                // s; doubled while Newton's method converges
+  double change = never, longest = 0.0;
   for (int k = 0; k < 400; ++k) {
     const auto report = mixture.water.advance(step, mixture.skeleton(), actions.water, tolerance);
     if (!report.converged) {
       step *= 0.25;
-    } else if (report.largest_change < tolerance && step > 1.0e8) {
-      return;
+    } else if (report.largest_change < tolerance && step > steady) {
+      return true;
     } else {
+      change = report.largest_change;
+      longest = std::max(longest, step);
       step = std::min(2.0 * step, 1.0e12);
     }
+    if (!go_on({"steady flow", change, tolerance, step})) return false;
   }
-  throw SimulationError("the steady state of the pore water before the start was not found in 400 steps");
+  throw SimulationError(unsteady_text(mixture, longest));
 }
 
-double find_self_weight_stress(Mixture& mixture, const Actions& actions, const SlopeScale& scale, double time_step) {
-  find_balance(mixture, actions, scale, time_step, false);
-  const double unbalanced = find_balance(mixture, actions, scale, time_step, true);
+std::optional<double> find_self_weight_stress(Mixture& mixture, const Actions& actions, const SlopeScale& scale,
+                                              double time_step, const InitialObserver& go_on) {
+  if (!find_balance(mixture, actions, scale, time_step, false, go_on)) return std::nullopt;
+  const auto unbalanced = find_balance(mixture, actions, scale, time_step, true, go_on);
   mixture.soil.stop();
   return unbalanced;
 }
 
-double find_k0_stress(Mixture& mixture, const Actions& actions, const SlopeScale& scale, double time_step,
-                      double spacing, std::span<const double> k0) {
+std::optional<double> find_k0_stress(Mixture& mixture, const Actions& actions, const SlopeScale& scale,
+                                     double time_step, double spacing, std::span<const double> k0,
+                                     const InitialObserver& go_on) {
   solid::MaterialPointMethod& soil = mixture.soil;
   set_overburden(mixture, actions.standing_water, scale.gravity, spacing);
   set_horizontal_stress(soil.particles(), k0);
   // the grid's own balance differs a little from the overburden: take the ratio again from what it found
-  find_balance(mixture, actions, scale, time_step, false);
+  if (!find_balance(mixture, actions, scale, time_step, false, go_on)) return std::nullopt;
   soil.stop();
   set_horizontal_stress(soil.particles(), k0);
-  const double unbalanced = find_balance(mixture, actions, scale, time_step, true);
+  const auto unbalanced = find_balance(mixture, actions, scale, time_step, true, go_on);
   soil.stop();
   return unbalanced;
 }

@@ -7,6 +7,7 @@
 #include "boundary_conditions.hpp"
 #include "clock_control.hpp"
 #include "mixture.hpp"
+#include "slope/couple/simulation.hpp"
 
 namespace slope::couple {
 
@@ -14,19 +15,24 @@ namespace slope::couple {
 [[nodiscard]] std::vector<double> initial_pressure(const Case& input, const InitialParticles& particles);
 
 /// Lets the water flow in the unmoved soil until it is steady under the conditions that hold before the start.
-/// @throws SimulationError if it does not come to rest
-void find_steady_flow(Mixture& mixture, BoundaryConditions& conditions);
+/// @param go_on  is asked after each step. @return whether it got to the end
+/// @throws SimulationError if it does not come to rest; it names the particle that changes most
+[[nodiscard]] bool find_steady_flow(Mixture& mixture, BoundaryConditions& conditions, const InitialObserver& go_on);
 
 /// Builds the self-weight stress at fixed positions, first elastic, then with the soil's strength, by damped motion;
-/// the pore pressure stays as it is. @return the unbalanced over the gravity forces that are left (-)
-double find_self_weight_stress(Mixture& mixture, const Actions& actions, const SlopeScale& scale, double time_step);
+/// the pore pressure stays as it is. @param go_on  is asked now and then
+/// @return the unbalanced over the gravity forces that are left (-); none: it was not to go on
+[[nodiscard]] std::optional<double> find_self_weight_stress(Mixture& mixture, const Actions& actions,
+                                                            const SlopeScale& scale, double time_step,
+                                                            const InitialObserver& go_on);
 
 /// The same from a vertical effective stress by the weight of the soil above each particle, less the pore pressure, and
 /// horizontal ones in the ratio of each soil; on a slope, balance and strength then change it.
 /// @param k0  by soil (-), > 0
 /// @param spacing  of the particles at the start (m)
-double find_k0_stress(Mixture& mixture, const Actions& actions, const SlopeScale& scale, double time_step,
-                      double spacing, std::span<const double> k0);
+[[nodiscard]] std::optional<double> find_k0_stress(Mixture& mixture, const Actions& actions, const SlopeScale& scale,
+                                                   double time_step, double spacing, std::span<const double> k0,
+                                                   const InitialObserver& go_on);
 
 /// phi' at zero suction (rad); none if the strength has no friction.
 [[nodiscard]] std::optional<double> friction_angle_of(const solid::Strength& strength);

@@ -86,7 +86,7 @@ struct Simulation::State {
     result.particles = particles.x.size();
   }
 
-  void find_initial_state();
+  bool find_initial_state(const InitialObserver& go_on);
   void step();
   seepage::SolveReport step_mixture(double next);
   seepage::SolveReport step_water(SeepageScheme& seepage, double next);
@@ -259,21 +259,25 @@ Simulation::~Simulation() = default;
 Simulation::Simulation(Simulation&&) noexcept = default;
 Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 
-void Simulation::State::find_initial_state() {
+// @return whether it came to the end
+bool Simulation::State::find_initial_state(const InitialObserver& go_on) {
   State& s = *this;
-  if (std::holds_alternative<SteadyWater>(s.input.initial_water)) find_steady_flow(s.mixture, s.conditions);
+  const bool is_steady = std::holds_alternative<SteadyWater>(s.input.initial_water);
+  if (is_steady && !find_steady_flow(s.mixture, s.conditions, go_on)) return false;
   s.mixture.weigh_water();
   s.conditions.remember_pressures(s.mixture.water.pressure());
   Actions before;
   s.conditions.apply_initial(s.mixture, before);
   const double step = s.mixture.soil.stable_step(s.input.numerics.courant_number, s.mixture.water_mass());
   const bool needs_stress = s.input.scheme != Scheme::seepage;
+  std::optional<double> unbalanced = 0.0;
   if (needs_stress && s.input.initial_stress == InitialStress::self_weight) {
-    s.result.initial_unbalanced_ratio = find_self_weight_stress(s.mixture, before, s.scale, step);
+    unbalanced = find_self_weight_stress(s.mixture, before, s.scale, step, go_on);
   } else if (needs_stress && s.input.initial_stress == InitialStress::k0) {
-    s.result.initial_unbalanced_ratio =
-        find_k0_stress(s.mixture, before, s.scale, step, s.particles.spacing, k0_of_soils(s.input));
+    unbalanced = find_k0_stress(s.mixture, before, s.scale, step, s.particles.spacing, k0_of_soils(s.input), go_on);
   }
+  if (!unbalanced) return false;
+  s.result.initial_unbalanced_ratio = *unbalanced;
   s.mixture.soil.release_walls(s.mixture.water_mass());
   s.first_storage = s.mixture.water.stored_water();
   const std::size_t n = s.particles.x.size();
@@ -285,11 +289,13 @@ void Simulation::State::find_initial_state() {
     s.result.initial_head_flux = std::max(s.result.initial_head_flux, std::hypot(wx[p], wy[p]) / saturated);
   }
   s.measure_pressure();
+  return true;
 }
 
-void Simulation::initialise() {
+bool Simulation::initialise(const InitialObserver& observer) {
+  const InitialObserver to_the_end = [](const InitialProgress&) { return true; };
   try {
-    state_->find_initial_state();
+    return state_->find_initial_state(observer ? observer : to_the_end);
   } catch (const solid::SolidError& error) {
     throw SimulationError(std::string("before the start: soil ") + error.what() +
                           "; the weight may be too much for the stiffness, youngs_modulus");

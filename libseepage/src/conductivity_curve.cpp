@@ -117,4 +117,14 @@ ConductivityCurve::Value ConductivityCurve::at(double pressure_head) const {
   return {value, std::max(0.0, -value * over_place * per_e_fold / suction_head), potential_between(i, t)};
 }
 
+double ConductivityCurve::suction_head_at(double share) const {
+  double wet = smallest, dry = largest;
+  if (at(-dry).conductivity >= share * saturated_) return dry;
+  while (dry > wet * 1.001) {
+    const double middle = std::sqrt(wet * dry);
+    (at(-middle).conductivity < share * saturated_ ? dry : wet) = middle;
+  }
+  return dry;
+}
+
 }  // namespace slope::seepage

@@ -7,6 +7,9 @@ namespace slope::seepage {
 
 namespace {
 
+constexpr double begun_to_fall = 0.97;  // share of the saturated conductivity
+constexpr double least_onset = 1.0e-5;  // suction head of that (m)
+
 // How much further than asked for conjugate gradients reduce a residual, which they weigh by the diagonal: what much
 // more permeable soils lack of water counts for too little beside the others.
 double tolerance_share_of(const std::vector<Soil>& soils) {
@@ -38,12 +41,16 @@ PoreFlow::PoreFlow(std::vector<Soil> soils, const Water& water, std::span<const 
   for (auto* v : {&suction_, &saturation_,    &pore_stress_,    &capacity_,      &conductivity_, &pressure_head_,
                   &head_,    &potential_,     &front_start_,    &face_gain_,     &content_,      &defect_,
                   &change_,  &stress_change_, &storage_,        &right_side_,    &diagonal_,     &outflow_,
-                  &work_,    &work2_,         &storage_offset_, &storage_slope_, &touched_}) {
+                  &work_,    &work2_,         &storage_offset_, &storage_slope_, &touched_,      &latest_change_}) {
     v->assign(n, 0.0);
   }
   is_held_.assign(n, 0);
   face_full_.assign(n, 0);
-  operator_.set_soils(soil_, {soils_.begin(), soils_.end()});
+  std::vector<ConductivityCurve> curves(soils_.begin(), soils_.end());
+  for (const ConductivityCurve& curve : curves) {
+    drying_onset_.push_back(-std::max(curve.suction_head_at(begun_to_fall), least_onset) * water_.unit_weight());
+  }
+  operator_.set_soils(soil_, std::move(curves));
   evaluate_soil();
   front_start_ = pressure_;
   follow(skeleton);

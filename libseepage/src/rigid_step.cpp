@@ -145,6 +145,14 @@ bool PoreFlow::find_pressure_step(double time_step, const Boundary& boundary, bo
   return solution.allFinite();
 }
 
+// Where a step of the pressure goes that starts from one: drying soil stops where its conductivity begins to fall. For
+// n < 2 that fall begins with an infinite slope, of which saturated soil knows nothing: from there Newton's method is
+// thrown far beyond its aim and back, while from just inside it comes up to it.
+double PoreFlow::stepped(std::size_t p, double pressure, double step) const {
+  const double onset = drying_onset_[soil_[p]];
+  return pressure > onset ? std::max(pressure + step, onset) : pressure + step;
+}
+
 SolveReport PoreFlow::advance(double time_step, const Skeleton& skeleton, const Boundary& boundary,
                               double tolerance_pressure, int maximum_iterations) {
   const std::size_t n = pressure_.size();
@@ -157,7 +165,7 @@ SolveReport PoreFlow::advance(double time_step, const Skeleton& skeleton, const 
   }
   evaluate_soil();
   const auto go_to = [&](const std::vector<double>& pressure, double share) {
-    for (std::size_t p = 0; p < n; ++p) pressure_[p] = pressure[p] + share * work_[p];
+    for (std::size_t p = 0; p < n; ++p) pressure_[p] = stepped(p, pressure[p], share * work_[p]);
     evaluate_soil();
     return find_imbalance(time_step, skeleton, boundary);
   };
@@ -199,6 +207,7 @@ SolveReport PoreFlow::advance(double time_step, const Skeleton& skeleton, const 
     change_[p] = pressure_[p] - start[p];
     report.largest_change = std::max(report.largest_change, std::abs(change_[p]));
   }
+  latest_change_ = change_;
   find_flow(boundary);
   book(time_step, skeleton, boundary);
   return report;

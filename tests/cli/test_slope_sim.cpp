@@ -444,6 +444,32 @@ TEST_P(InterruptedRun, EndsWithCode130AndLeavesReadableFiles) {
   EXPECT_NEAR(summary["end"]["time_s"].as<double>(), series.back().time, 1e-9);
 }
 
+/// Waits, for a minute at most, until the program has written a text to a file.
+bool has_text(Program& program, const fs::path& file, const std::string& text) {
+  const auto limit = std::chrono::steady_clock::now() + std::chrono::minutes(1);
+  while (std::chrono::steady_clock::now() < limit && program.running()) {
+    if (content_of(file).find(text) != std::string::npos) return true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  return false;
+}
+
+TEST_P(InterruptedRun, EndsInItsInitialStateToo) {
+  const fs::path out = scratch_ / "run";
+  Program program({"run", box, "-o", out.string(), "--set", "domain.cell_size=0.02 m", "--set",
+                   "initial.stress=self_weight"},
+                  scratch_);
+  ASSERT_TRUE(has_text(program, scratch_ / "errors", "initial state: elastic stress"));
+  program.signal(GetParam());
+  const Outcome outcome = program.wait();
+  EXPECT_EQ(outcome.exit_code, 130) << outcome.errors;
+  EXPECT_NE(outcome.errors.find("interrupted before the start"), std::string::npos) << outcome.errors;
+  const auto series = read_particle_series(out);
+  ASSERT_EQ(series.size(), 1u);
+  EXPECT_EQ(series.back().label, "interrupted");
+  EXPECT_EQ(summary_of(out)["end"]["reason"].as<std::string>(), "interrupted");
+}
+
 INSTANTIATE_TEST_SUITE_P(By, InterruptedRun, testing::Values(SIGINT, SIGTERM),
                          [](const auto& instance) { return instance.param == SIGINT ? "SIGINT" : "SIGTERM"; });
 

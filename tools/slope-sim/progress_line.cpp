@@ -14,6 +14,7 @@ namespace slope::tools {
 namespace {
 
 constexpr double seconds_between_updates = 0.1;
+constexpr double seconds_between_lines = 10.0;  // of the initial state, where they stay
 
 std::string duration_text(double seconds) {
   const long whole = std::lround(seconds);
@@ -60,6 +61,15 @@ std::string progress_text(const couple::Progress& progress, double end_time, dou
   return text + water_text(progress.water);
 }
 
+std::string progress_text(const couple::InitialProgress& progress) {
+  if (progress.step_time > 0.0) {
+    return fmt::format("initial state: {}, pressures change by {:.2g} Pa in a step of {:.2g} s (until {:g} Pa)",
+                       progress.stage, progress.measure, progress.step_time, progress.wanted);
+  }
+  return fmt::format("initial state: {}, {:.2g} of the weight unbalanced (until {:g})", progress.stage,
+                     progress.measure, progress.wanted);
+}
+
 ProgressLine::ProgressLine(double end_time, bool quiet)
     : end_time_(end_time), quiet_(quiet), terminal_(isatty(STDERR_FILENO) == 1) {}
 
@@ -71,17 +81,34 @@ void ProgressLine::show(const couple::Progress& progress) {
   if (quiet_) return;
   const std::string line = text(progress);
   if (terminal_) {
-    if (line_open_ && elapsed() - last_shown_ < seconds_between_updates) return;
-    std::fprintf(stderr, "\r%s\x1b[K", line.substr(0, terminal_width()).c_str());
-    std::fflush(stderr);
-    line_open_ = true;
-    last_shown_ = elapsed();
+    write_over(line);
     return;
   }
   const int tenths = static_cast<int>(10.0 * progress.share);
   if (tenths <= tenths_shown_) return;
   tenths_shown_ = tenths;
   std::fprintf(stderr, "%s\n", line.c_str());
+}
+
+void ProgressLine::show(const couple::InitialProgress& progress) {
+  if (quiet_) return;
+  const std::string line = progress_text(progress);
+  if (terminal_) {
+    write_over(line);
+    return;
+  }
+  if (progress.stage == stage_shown_ && elapsed() - last_shown_ < seconds_between_lines) return;
+  stage_shown_ = progress.stage;
+  last_shown_ = elapsed();
+  std::fprintf(stderr, "%s\n", line.c_str());
+}
+
+void ProgressLine::write_over(const std::string& line) {
+  if (line_open_ && elapsed() - last_shown_ < seconds_between_updates) return;
+  std::fprintf(stderr, "\r%s\x1b[K", line.substr(0, terminal_width()).c_str());
+  std::fflush(stderr);
+  line_open_ = true;
+  last_shown_ = elapsed();
 }
 
 std::string ProgressLine::text(const couple::Progress& progress) const {

@@ -37,13 +37,14 @@ class Run {
     writer_.write_case(simulation_.input());
     log_beginning();
     try {
-      start();
-      while (!advance()) {
+      if (start()) {
+        while (!advance()) {
+        }
       }
     } catch (const couple::SimulationError& error) {
       return break_off("error", error.what(), ExitCode::broken_physics);
     }
-    if (record_.end_reason == "interrupted") return break_off("interrupted", "", ExitCode::interrupted);
+    if (record_.end_reason == "interrupted") return break_off("interrupted", record_.message, ExitCode::interrupted);
     finish();
     return ExitCode::fine;
   }
@@ -56,10 +57,19 @@ class Run {
     writer_.log(fmt::format("{} thread{}", options_.threads, options_.threads == 1 ? "" : "s"));
   }
 
-  void start() {
+  /// @return whether the initial state was found, and not interrupted.
+  bool start() {
     write_summary();
     progress_.say("initial state");
-    simulation_.initialise();
+    const bool found = simulation_.initialise([this](const couple::InitialProgress& progress) {
+      progress_.show(progress);
+      return !interrupted();
+    });
+    if (!found) {
+      record_.end_reason = "interrupted";
+      record_.message = "interrupted before the start: the initial state is as far as it came";
+      return false;
+    }
     progress_.begin_steps();
     writer_.log(
         fmt::format("{:.1f} s: initial state of {} particles", progress_.elapsed(), simulation_.summary().particles));
@@ -69,6 +79,7 @@ class Run {
     add_rows();
     writer_.add_snapshot(simulation_.particles(), "start");
     write_summary();
+    return true;
   }
 
   void warn_of_unbalanced_start() {
@@ -126,7 +137,9 @@ class Run {
       std::fprintf(stderr, "slope-sim: %s\n", message.c_str());
       writer_.log(message);
     }
-    if (simulation_.progress().steps > 0) writer_.add_snapshot(simulation_.particles(), reason);
+    if (simulation_.progress().steps > 0 || reason == "interrupted") {
+      writer_.add_snapshot(simulation_.particles(), reason);
+    }
     conclude();
     return code;
   }

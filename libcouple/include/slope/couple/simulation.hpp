@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -87,6 +88,17 @@ struct Progress {
   WaterBudget water;  ///< since the start
 };
 
+/// How far the search for the state before the start has come.
+struct InitialProgress {
+  std::string stage;     ///< "steady flow", "elastic stress" or "stress"
+  double measure = 0.0;  ///< of what still changes: of the pressures in a step (Pa), or unbalanced over gravity forces
+  double wanted = 0.0;   ///< the measure at which the stage ends, in the same unit
+  double step_time = 0.0;  ///< of steady flow: the length of the step (s), which has to become long
+};
+
+/// Is told the progress every now and then, and answers whether to go on.
+using InitialObserver = std::function<bool(const InitialProgress&)>;
+
 /// When the largest displacement passed a value.
 struct DisplacementTime {
   double displacement = 0.0;   ///< (m)
@@ -134,8 +146,9 @@ class Simulation {
   Simulation& operator=(Simulation&&) noexcept;
 
   /// Initial pore pressure and self-weight stress at fixed positions; time is zero afterwards.
+  /// @param observer  none: it goes on to the end. @return whether it did; if not, the state is readable as it was left
   /// @throws SimulationError when the physics breaks or no steady flow is found.
-  void initialise();
+  bool initialise(const InitialObserver& observer = {});
   /// Steps until something is due, or at most a few hundred steps.
   /// @throws SimulationError when the physics breaks; the state before the step stays readable.
   Event advance();

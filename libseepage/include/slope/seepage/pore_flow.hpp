@@ -103,6 +103,8 @@ class PoreFlow {
   [[nodiscard]] std::span<const double> saturation() const { return saturation_; }      ///< S_r (-)
   [[nodiscard]] std::span<const double> conductivity() const { return conductivity_; }  ///< k k_rw (m/s)
   [[nodiscard]] std::span<const double> pore_stress() const { return pore_stress_; }    ///< S_r P_w (Pa)
+  /// Of the pressures in the latest step of advance() that converged (Pa).
+  [[nodiscard]] std::span<const double> latest_change() const { return latest_change_; }
   [[nodiscard]] const HeadOperator& head_operator() const { return operator_; }
   [[nodiscard]] const Water& water() const { return water_; }
 
@@ -172,6 +174,7 @@ class PoreFlow {
   void add_face_slopes(double time_step, const Boundary& boundary);
   bool find_pressure_step(double time_step, const Boundary& boundary, bool lagged);
   void assemble(double time_step, bool lagged);
+  [[nodiscard]] double stepped(std::size_t p, double pressure, double step) const;
   void check() const;
 
   std::vector<Soil> soils_;
@@ -180,7 +183,8 @@ class PoreFlow {
   HeadOperator operator_;
   std::vector<std::uint16_t> soil_;
   std::vector<std::vector<std::uint32_t>> particles_of_soil_;
-  double tolerance_share_;  // of the tolerance that solve() is given
+  std::vector<double> drying_onset_;  // of each soil: P_w at which its conductivity has begun to fall (Pa)
+  double tolerance_share_;            // of the tolerance that solve() is given
 
   std::vector<double> pressure_, suction_, saturation_, pore_stress_;
   std::vector<double> capacity_;              // dS_r/dP_w (1/Pa)
@@ -193,7 +197,7 @@ class PoreFlow {
   std::vector<double> front_start_;           // P_w before the water came that wets a particle from its face (Pa)
   std::vector<double> face_gain_;             // what faces let into each particle in the latest step (m2/s), >= 0
   std::vector<std::uint8_t> face_full_;       // whether one of them let in all that the soil takes
-  std::vector<double> change_, stress_change_;
+  std::vector<double> change_, stress_change_, latest_change_;
   std::vector<double> inflow_, inflow_rate_;
   AirFlow air_flow_;
   std::vector<OpenFaceLaw> open_laws_;         // of the present step's open faces
