@@ -16,7 +16,7 @@ constexpr int most_iterations = 100;
 struct LegFlow {
   double mean;   // conductivity of the leg (m/s)
   double flow;   // (m2/s)
-  double slope;  // over the pressure head at the seam (m/s), < 0
+  double slope;  // over the pressure head at the seam (m/s), < 0 save in soil that is very steep over the leg
 };
 
 LegFlow flow_of(const SeamLeg& leg, double pressure_head) {
@@ -25,7 +25,7 @@ LegFlow flow_of(const SeamLeg& leg, double pressure_head) {
   const double mean = kirchhoff_mean(leg.end, seam, leg.drop);
   const double fall = leg.head() - pressure_head;
   const double bend = kirchhoff_mean_slope(seam, leg.end, -leg.drop, at_seam.slope);
-  return {mean, mean * fall / leg.share, std::min(bend * fall - mean, -1.0e-3 * mean) / leg.share};
+  return {mean, mean * fall / leg.share, (bend * fall - mean) / leg.share};
 }
 
 }  // namespace
@@ -37,13 +37,14 @@ SeamMean seam_mean(const SeamLeg& a, const SeamLeg& b, double guess) {
   for (int k = 0;; ++k) {
     const LegFlow first = flow_of(a, seam), second = flow_of(b, seam);
     const double gain = first.flow + second.flow;  // of the seam, which falls with its pressure
+    const double slope = std::min(first.slope + second.slope, -1.0e-3 * (first.mean + second.mean));
     const double size = std::abs(gain);
     if (size <= matched * (std::abs(first.flow) + std::abs(second.flow)) || high - low <= nothing ||
         k == most_iterations) {
-      return {1.0 / (a.share / first.mean + b.share / second.mean), seam, second.slope / (first.slope + second.slope)};
+      return {1.0 / (a.share / first.mean + b.share / second.mean), seam, second.slope / slope};
     }
     (gain > 0.0 ? low : high) = seam;
-    const double next = seam - gain / (first.slope + second.slope);
+    const double next = seam - gain / slope;
     const bool sound = size < 0.5 * last_gain && next > low && next < high;
     seam = sound ? next : 0.5 * (low + high);
     last_gain = size;

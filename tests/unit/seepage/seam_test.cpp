@@ -94,6 +94,22 @@ TEST(ConductivityCurve, HasItsSlopeAndItsIntegral) {
   }
 }
 
+// The exact steady flow from a to b, z down, is K_b z + (K_a - K_b) z / (1 - e^(-alpha z)) over the length.
+TEST(KirchhoffMean, IsTheExponentialsInExponentialSoil) {
+  const ConductivityCurve curve(exponential(1.0e-5, 10.0));
+  for (const double drop : {-0.7, -0.05, 0.0, 0.02, 0.5}) {
+    for (const double first : {-0.01, -0.2, -0.5}) {
+      for (const double second : {-0.035, -0.4, -1.0}) {
+        const PotentialAt a = state_at(curve, first), b = state_at(curve, second);
+        const double weight = drop == 0.0 ? 0.1 : drop / -std::expm1(-10.0 * drop);
+        const double flow = b.conductivity * drop + (a.conductivity - b.conductivity) * weight;
+        const double exact = flow / (first - second + drop);
+        EXPECT_NEAR(kirchhoff_mean(a, b, drop), exact, 1e-4 * exact) << drop << " " << first << " " << second;
+      }
+    }
+  }
+}
+
 TEST(KirchhoffMean, LevelIsTheIntegralOfTheCurve) {
   for (const Soil& soil : soils()) {
     const ConductivityCurve curve(soil);

@@ -20,8 +20,9 @@ struct SeamLeg {
 struct SeamMean {
   double conductivity = 0.0;   ///< (m/s); times the fall of the head from end to end it is the flow times the length
   double pressure_head = 0.0;  ///< at the seam (m)
-  double first_reach = 0.5;    ///< share of what the first end changes in the flow of its leg that becomes flow through
-                               ///< both (-), in [0, 1]; of what the second end changes it is the rest
+  double first_reach =
+      0.5;  ///< share of what the first end changes in the flow of its leg that becomes flow through
+            ///< both (-), in [0, 1] unless a leg is very steep; of what the second end changes it is the rest
 };
 
 /// The mean conductivity of a path from a to b through two soils. The pressure at the seam is the same for both, and
