@@ -66,7 +66,7 @@ TEST(Seam, ConductsInSeries) {
   std::size_t alone = 0;
   static_cast<void>(steady_flux({"soils.seam.hydraulic_conductivity=4.42 cm/h"}, 2, &alone));
   EXPECT_TRUE(record("seam-steps", "- steps, over those of one soil", at_most(2.0),
-                     static_cast<double>(most_steps) / static_cast<double>(alone)));
+                     static_cast<double>(most_steps) / static_cast<double>(alone), ""));
 }
 
 TEST(Seam, ConductsInSeriesWhateverTheContrast) {
