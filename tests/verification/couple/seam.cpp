@@ -125,6 +125,16 @@ TEST(Seam, BearsAPerchedHead) {
                      at_most(0.02), worst, "%"));
 }
 
+// The steady state of a slope with a lens that conducts less than the rain: what falls on 0.8 m comes out.
+TEST(Seam, IsSteadyUnderALensInASlope) {
+  couple::Simulation simulation = start_case("perched.yaml");
+  run(simulation, [](const couple::ParticleTable&) {});
+  const couple::WaterBudget water = simulation.summary().water;
+  const double rain = 7.0e-5 * 0.8 * 0.01;
+  EXPECT_NEAR(water.infiltration, rain, 1e-3 * rain);
+  EXPECT_NEAR(water.outflow, rain, 1e-3 * rain);
+}
+
 // Loam over gravel, both at 2 m of suction, under 10 mm a day: an independent finite-volume solution of Richards'
 // equation on cells of 1 and 2 cm lets nothing out until day 11 and 36.46 to 36.48 mm until day 15; another 36.7 to
 // 37.0 mm.
