@@ -80,6 +80,17 @@ GroundLine::GroundLine(const Domain& domain, const std::vector<Region>& regions)
   }
 }
 
+double GroundLine::height(double x) const {
+  const auto right = std::ranges::lower_bound(points_, x, {}, [](const Point& point) { return point[0]; });
+  if (right == points_.end()) return points_.back()[1];
+  if (right == points_.begin() || (*right)[0] == x) {
+    double highest = (*right)[1];
+    for (auto k = right; k != points_.end() && (*k)[0] == (*right)[0]; ++k) highest = std::max(highest, (*k)[1]);
+    return highest;
+  }
+  return height_on(*(right - 1), *right, x);
+}
+
 // How far the ground falls from a point on over the reach, as a share of the distance; rises count.
 double GroundLine::fall_after(std::size_t point, int step) const {
   const auto count = static_cast<std::ptrdiff_t>(points_.size());
@@ -144,6 +155,27 @@ double front_of(std::vector<Reach> soil, double spacing) {
   return (front == soil.end() ? soil.front() : *front)[0];
 }
 
+/// How far ahead of the toe the ground has been pushed up: the reach of the foremost place at which ground that lay
+/// there has risen by more than `rise` above the first ground line and gone forward by more than `moved`; none if none.
+std::optional<double> front_of_pushed_ground(const solid::Particles& particles, const GroundLine& ground,
+                                             const Point& toe, double direction, double spacing, double rise,
+                                             double moved) {
+  std::vector<Reach> surface;  // reach, and how much it has risen; less than that if it was not pushed
+  for (std::size_t p = 0; p < particles.size(); ++p) {
+    const double x = particles.x[p] - particles.ux[p], y = particles.y[p] - particles.uy[p];
+    if ((x - toe[0]) * direction <= 0.0 || y < ground.height(x) - spacing) continue;
+    const double risen = particles.uy[p] - (ground.height(particles.x[p]) - ground.height(x));
+    const bool pushed = direction * particles.ux[p] > moved;
+    surface.push_back({direction * particles.x[p], pushed ? risen : std::min(risen, 0.0)});
+  }
+  std::ranges::sort(surface, std::ranges::greater());
+  const auto front = std::ranges::find_if(surface, [rise](const Reach& at) { return at[1] > rise; });
+  if (front == surface.end()) return std::nullopt;
+  if (front == surface.begin()) return (*front)[0];
+  const Reach& ahead = *(front - 1);
+  return std::lerp((*front)[0], ahead[0], ((*front)[1] - rise) / ((*front)[1] - ahead[1]));
+}
+
 }  // namespace
 
 Slide find_slide(const solid::Particles& particles, const GroundLine& ground, const Domain& domain, double spacing,
@@ -178,6 +210,9 @@ Slide find_slide(const solid::Particles& particles, const GroundLine& ground, co
   }
   if (before.empty()) return slide;
   slide.run_out = std::max(0.0, front_of(now, spacing) - front_of(before, spacing));
+  const double rise = std::max(moved, 0.5 * spacing);
+  const auto pushed = front_of_pushed_ground(particles, ground, *slide.toe, slide.direction, spacing, rise, moved);
+  if (pushed) slide.run_out = std::max(*slide.run_out, *pushed - slide.direction * (*slide.toe)[0]);
   const double wall = slide.direction > 0.0 ? domain.upper[0] : -domain.lower[0];
   slide.reaches_wall = std::ranges::max(now)[0] > wall - domain.cell_size;
   return slide;

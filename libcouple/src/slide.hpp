@@ -15,6 +15,8 @@ class GroundLine {
  public:
   GroundLine(const Domain& domain, const std::vector<Region>& regions);
 
+  /// y of the ground at x (m); of a vertical face, its upper end.
+  [[nodiscard]] double height(double x) const;
   /// From the left to the right side of the domain (m); two points of the same x are a vertical face.
   [[nodiscard]] const std::vector<Point>& points() const { return points_; }
 

@@ -70,6 +70,16 @@ TEST(GroundLine, IsTheUpperOutlineOfAllRegions) {
   }
 }
 
+TEST(GroundLine, HasAHeightEverywhere) {
+  const Domain domain = domain_of(0.5, SurfaceParticles::lattice);
+  const GroundLine ground(domain, {{0, {{0, 0}, {36, 0}, {36, 12}, {12, 12}, {12, 4}, {0, 2}}}});
+  EXPECT_EQ(ground.height(-1.0), 2.0);
+  EXPECT_EQ(ground.height(6.0), 3.0);
+  EXPECT_EQ(ground.height(12.0), 12.0);
+  EXPECT_EQ(ground.height(12.1), 12.0);
+  EXPECT_EQ(ground.height(40.0), 12.0);
+}
+
 TEST(GroundLine, HasAToeForEachFace) {
   const Domain domain = domain_of(0.5, SurfaceParticles::lattice);
   const GroundLine ground(domain, {{0, benched}});
@@ -204,14 +214,20 @@ TEST_P(RunOut, CountsNoSingleGrain) {
   EXPECT_NEAR(slope.slide().run_out.value(), 0.5, 1e-9);
 }
 
-TEST_P(RunOut, CountsTheRowsBelowTheToeAsGround) {
-  // the foot heaves in front of the toe: ground, which rises, but has not come forward
-  SlopeOf slope(w2, 0.5, GetParam());
-  slope.move([](double x, double y) {
-    if (y > 5.0 && x < 20.0) return Point{-0.3, 0.0};
-    return y > 3.5 && x > 7.0 && x < 10.0 ? Point{-0.1, 0.2} : Point{0.0, 0.0};
-  });
-  EXPECT_NEAR(slope.slide().run_out.value(), 0.3, 1e-9);
+TEST_P(RunOut, ReachesAsFarAsTheGroundIsPushedUp) {
+  // the ground ahead of the toe rises evenly from nothing at x = 6 m to 0.4 m at the toe: half a spacing, 0.125 m, at
+  // x = 7.25 m
+  const auto bulge = [](double x) { return 0.1 * std::clamp(x - 6.0, 0.0, 4.0); };
+  const auto moves = [&](double forward) {
+    SlopeOf slope(w2, 0.5, GetParam());
+    slope.move([&](double x, double y) {
+      if (y > 5.0 && x < 20.0) return Point{-0.3, 0.0};
+      return x < 10.0 ? Point{forward, bulge(x)} : Point{0.0, 0.0};
+    });
+    return slope.slide().run_out.value();
+  };
+  EXPECT_NEAR(moves(-0.03), 10.0 - 7.25 + 0.03, 0.01);
+  EXPECT_NEAR(moves(0.0), 0.3, 1e-9) << "ground that swells is not pushed";
 }
 
 TEST_P(RunOut, IsToldWhereTheSlideComesToTheWall) {

@@ -52,19 +52,18 @@ TEST(Bracket, FallsUntilItRestsAndTellsHowFarItRan) {
   overrides.emplace_back("output={history_interval: 1 s}");
   couple::Simulation simulation = start_case("bracket.yaml", overrides);
   constexpr double level = 1.5, spacing = 0.125;
-  const double before = front_of_ground(simulation.particles(), level, spacing);
   run(simulation, [](const couple::ParticleTable&) {});
   const couple::Summary summary = simulation.summary();
   EXPECT_EQ(summary.verdict, couple::Verdict::does_not_stand);
   EXPECT_EQ(summary.end_reason, "at_rest");
   ASSERT_TRUE(summary.slide_at_end.run_out.has_value());
-  const double advance = before - front_of_ground(simulation.particles(), level, spacing);
+  const double advance = 4.0 - front_of_ground(simulation.particles(), level, spacing);
   EXPECT_GT(advance, 4.0 * spacing);
   EXPECT_TRUE(record("bracket-4", "- by 1.7: advance of its ground line beyond the toe, column by column",
-                     near(advance, 1.5 * spacing), *summary.slide_at_end.run_out, "m"));
+                     near(advance, spacing), *summary.slide_at_end.run_out, "m"));
   EXPECT_EQ(summary.slide_at_end.direction, -1.0);
   EXPECT_EQ(summary.slide_at_end.toe, (couple::Point{4.0, 1.5}));
-  EXPECT_GT(summary.slide_at_end.largest_horizontal_displacement, advance);
+  EXPECT_NEAR(summary.slide_at_end.largest_horizontal_displacement, advance, 0.5);
   EXPECT_GT(summary.slide_at_end.area, 3.0);
 }
 
