@@ -31,11 +31,8 @@ void HeadOperator::set_soils(std::span<const std::uint16_t> soil, std::vector<Co
 
 bool HeadOperator::update(const Skeleton& skeleton) {
   const std::size_t n = skeleton.size();
-  if (x_weighted_.size() == n) {
-    if (!moved_beyond(follow_distance * spacing_, skeleton, x_weighted_, y_weighted_)) return false;
-  } else {
-    share_.resize(n);
-    for (std::size_t p = 0; p < n; ++p) share_[p] = skeleton.volume[p] / (spacing_ * spacing_);
+  if (x_weighted_.size() == n && !moved_beyond(follow_distance * spacing_, skeleton, x_weighted_, y_weighted_)) {
+    return false;
   }
   x_weighted_.assign(skeleton.x.begin(), skeleton.x.end());
   y_weighted_.assign(skeleton.y.begin(), skeleton.y.end());
@@ -48,7 +45,7 @@ bool HeadOperator::update(const Skeleton& skeleton) {
 
 void HeadOperator::find_pair_factors(const Skeleton& skeleton) {
   const std::size_t n = skeleton.size();
-  const MomentCorrection correction(images_, skeleton.volume, share_, kernel_, spacing_, threads_);
+  const MomentCorrection correction(images_, skeleton.volume, kernel_, spacing_, threads_);
   factor_.assign(neighbours_.index.size(), 0.0);
   conductance_.assign(factor_.size(), 0.0);
   diagonal_.resize(n);

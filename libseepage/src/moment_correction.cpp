@@ -4,6 +4,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "slope/seepage/conjugate_gradients.hpp"
 
@@ -24,10 +25,9 @@ constexpr double largest_correction = 4.0;
 // 0.84 at the surface.
 constexpr double surface_begins = 0.45;
 constexpr double surface_full = 0.75;
-// Lack of the second moment along the surface, relative to a flat one, from flat to a right-angled corner (0.4), whose
-// particle has two sides of a spacing each.
-constexpr double corner_begins = 0.1;
-constexpr double corner_full = 0.35;
+// Radius, in spacings, of the discs whose outline is the surface: those of a lattice whose particles are displaced by
+// 0.13 leave no gap, and particles of an inclined surface, up to 1.41 apart, still touch.
+constexpr double disc_radius = 0.9;
 // Second moments are left alone where surfaces of two directions are in reach; this many times the smaller over the
 // larger principal value of the surface normals' moment.
 constexpr double corner_reach = 8.0;
@@ -52,8 +52,8 @@ double along(double x, double y, double xx, double xy, double yy) {
 
 }  // namespace
 
-MomentCorrection::MomentCorrection(const Images& images, std::span<const double> volume, std::span<const double> share,
-                                   const WendlandC2& kernel, double spacing, int threads)
+MomentCorrection::MomentCorrection(const Images& images, std::span<const double> volume, const WendlandC2& kernel,
+                                   double spacing, int threads)
     : images_(images),
       threads_(threads),
       at_surface_(images.size()),
@@ -62,7 +62,7 @@ MomentCorrection::MomentCorrection(const Images& images, std::span<const double>
       response_(images.size()),
       tensor_(images.size()),
       vector_(2 * images.size()) {
-  find_surface(share, kernel, spacing);
+  find_surface(volume, kernel, spacing);
   find_surface_layer();
   find_responses();
   std::vector<Tensor> old = tensor_;
@@ -94,52 +94,70 @@ double MomentCorrection::odd_part(std::size_t p, const Image& image) const {
   return image.ex * (a_p[0] - image.flip_x * a_q[0]) + image.ey * (a_p[1] - image.flip_y * a_q[1]);
 }
 
-MomentCorrection::FlatSurface MomentCorrection::flat_surface(const WendlandC2& kernel, double spacing) {
+double MomentCorrection::flat_asymmetry(const WendlandC2& kernel, double spacing) {
   const int reach = static_cast<int>(std::ceil(kernel.support() / spacing));
-  FlatSurface flat{0.0, 0.0};
-  double whole = 0.0;
+  double asymmetry = 0.0;
   for (int i = -reach; i <= reach; ++i) {
-    for (int j = 0; j <= reach; ++j) {
-      if (i == 0 && j == 0) continue;
-      const double r = spacing * std::hypot(i, j);
-      flat.asymmetry += nearness(r, kernel.support()) * j * spacing;
-      const double moment = kernel.radial_factor(r) * i * i;
-      flat.along += moment;
-      whole += j == 0 ? moment : 2.0 * moment;
+    for (int j = 1; j <= reach; ++j) {
+      asymmetry += nearness(spacing * std::hypot(i, j), kernel.support()) * j * spacing;
     }
   }
-  flat.along /= whole;
-  return flat;
+  return asymmetry;
+}
+
+// The rim that the discs of its neighbours leave free of a particle's disc has a neighbour at either end. The outline
+// of the soil runs from neighbour to neighbour, half a spacing outside the lines between them; between the middles of
+// its two lines it is the particle's own, so that the pieces of all particles close. @return their outward normals
+// times their lengths, in sum (m); `covered` is room to work in
+MomentCorrection::Vector MomentCorrection::surface_of(std::size_t p, double spacing, std::vector<Arc>& covered) const {
+  const double diameter = 2.0 * disc_radius * spacing;
+  covered.clear();
+  for (const Image& q : images_.of(p)) {
+    if (q.r >= diameter) continue;
+    const double to_x = -q.ex, to_y = -q.ey;
+    const double direction = std::atan2(to_y, to_x), half = std::acos(q.r / diameter);
+    covered.push_back({direction - half, direction + half, {to_x, to_y}, 0.5 * q.r});
+  }
+  Vector surface{0.0, 0.0};
+  if (covered.empty()) return surface;
+  std::ranges::sort(covered, {}, &Arc::from);
+  const double half_spacing = 0.5 * spacing;
+  // the free rim lies to the left of the way to `before` and to the right of the way to `after`
+  const auto add = [&](const Arc& before, const Arc& after) {
+    const double from_x = before.middle * before.to.x - half_spacing * before.to.y;
+    const double from_y = before.middle * before.to.y + half_spacing * before.to.x;
+    const double to_x = after.middle * after.to.x + half_spacing * after.to.y;
+    const double to_y = after.middle * after.to.y - half_spacing * after.to.x;
+    surface.x += to_y - from_y;
+    surface.y += from_x - to_x;
+  };
+  const Arc* last = &covered.front();
+  for (const Arc& arc : covered) {
+    if (arc.from > last->until) add(*last, arc);
+    if (arc.until > last->until) last = &arc;
+  }
+  if (covered.front().from + 2.0 * std::numbers::pi > last->until) add(*last, covered.front());
+  return surface;
 }
 
 // Which particles are the outermost, and the first moments wanted.
-void MomentCorrection::find_surface(std::span<const double> share, const WendlandC2& kernel, double spacing) {
-  const FlatSurface flat = flat_surface(kernel, spacing);
-  const double corner_area = std::sqrt(2.0);
-#pragma omp parallel for schedule(static) num_threads(threads_) if (threads_ > 1)
-  for (std::size_t p = 0; p < images_.size(); ++p) {
-    Vector asymmetry{0.0, 0.0}, first{0.0, 0.0};
-    Tensor second{0.0, 0.0, 0.0};
-    for (const Image& q : images_.of(p)) {
-      const double near = nearness(q.r, kernel.support()) * q.r;
-      const double w = q.weight * q.r, w_r = w * q.r;
-      asymmetry.x += near * q.ex;
-      asymmetry.y += near * q.ey;
-      first.x += w * q.ex;
-      first.y += w * q.ey;
-      second.xx += w_r * q.ex * q.ex;
-      second.xy += w_r * q.ex * q.ey;
-      second.yy += w_r * q.ey * q.ey;
+void MomentCorrection::find_surface(std::span<const double> volume, const WendlandC2& kernel, double spacing) {
+  const double flat = flat_asymmetry(kernel, spacing);
+#pragma omp parallel num_threads(threads_) if (threads_ > 1)
+  {
+    std::vector<Arc> covered;
+#pragma omp for schedule(static)
+    for (std::size_t p = 0; p < images_.size(); ++p) {
+      Vector asymmetry{0.0, 0.0};
+      for (const Image& q : images_.of(p)) {
+        const double near = nearness(q.r, kernel.support()) * q.r;
+        asymmetry.x += near * q.ex;
+        asymmetry.y += near * q.ey;
+      }
+      at_surface_[p] = ramp(std::hypot(asymmetry.x, asymmetry.y) / flat, surface_begins, surface_full);
+      const Vector surface = surface_of(p, spacing, covered);
+      first_moment_[p] = {0.5 * surface.x / volume[p], 0.5 * surface.y / volume[p]};
     }
-    at_surface_[p] = ramp(std::hypot(asymmetry.x, asymmetry.y) / flat.asymmetry, surface_begins, surface_full);
-    const double length = std::hypot(first.x, first.y);
-    first_moment_[p] = {0.0, 0.0};
-    if (at_surface_[p] == 0.0 || length == 0.0) continue;
-    const double nx = first.x / length, ny = first.y / length;
-    const double lack = flat.along - along(-ny, nx, second.xx, second.xy, second.yy);
-    const double area = 1.0 + (corner_area - 1.0) * ramp(lack, corner_begins, corner_full);
-    const double wanted = at_surface_[p] * area * 0.5 / spacing / share[p];
-    first_moment_[p] = {wanted * nx, wanted * ny};
   }
 }
 

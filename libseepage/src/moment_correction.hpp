@@ -17,16 +17,16 @@ namespace slope::seepage {
 /// the same for (p, q) and (q, p), with a symmetric tensor B and a vector a for every particle:
 /// - B gives the second moment sum_q w_pq c_pq r r = I, hence the right conductivity in every direction. At a free
 ///   surface the condition across the surface is dropped: the first moment decides there.
-/// - a gives the first moment sum_q w_pq c_pq r = 0 inside, hence no residual under a linear head; and n / (2 d) in the
-///   outermost particles of a free surface of outward normal n, d their volume over the spacing, which is what a linear
-///   head drives through their share of that surface.
+/// - a gives the first moment sum_q w_pq c_pq r = 0 inside, hence no residual under a linear head; and A n / (2 V) in
+///   the particles of a free surface, A n the piece of it that is theirs times its outward normal: what a linear head
+///   drives through that piece. The pieces are those of the outline of the particles' discs; they close, whatever the
+///   surface's inclination and the disorder.
 /// Mirror images of neighbours take part, with B and a mirrored.
 class MomentCorrection {
  public:
   /// @param images  with weights scaled by lattice_scale(); @param volume  V of each particle (m2)
-  /// @param share  volume of each particle at the start over the square of the spacing (-)
-  MomentCorrection(const Images& images, std::span<const double> volume, std::span<const double> share,
-                   const WendlandC2& kernel, double spacing, int threads);
+  MomentCorrection(const Images& images, std::span<const double> volume, const WendlandC2& kernel, double spacing,
+                   int threads);
 
   /// c_pq, kept within bounds that are positive; images must be those of the constructor.
   [[nodiscard]] double operator()(std::size_t p, const Image& image) const;
@@ -38,13 +38,16 @@ class MomentCorrection {
   struct Vector {
     double x, y;
   };
-  // A flat free surface of the square lattice, seen by its outermost particles.
-  struct FlatSurface {
-    double asymmetry;  // of the neighbourhood (m)
-    double along;      // second moment along the surface (-)
+  // What a neighbour's disc covers of the rim of a particle's.
+  struct Arc {
+    double from, until;  // counterclockwise (rad)
+    Vector to;           // direction of the neighbour
+    double middle;       // of the way there (m)
   };
-  [[nodiscard]] static FlatSurface flat_surface(const WendlandC2& kernel, double spacing);
-  void find_surface(std::span<const double> share, const WendlandC2& kernel, double spacing);
+  // Asymmetry of the neighbourhood of the outermost particles of the square lattice at a flat surface (m).
+  [[nodiscard]] static double flat_asymmetry(const WendlandC2& kernel, double spacing);
+  [[nodiscard]] Vector surface_of(std::size_t p, double spacing, std::vector<Arc>& covered) const;
+  void find_surface(std::span<const double> volume, const WendlandC2& kernel, double spacing);
   void find_surface_layer();
   void find_responses();
   void sweep_second_moments(const std::vector<Tensor>& old);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numbers>
 #include <random>
 
 #include "particles.hpp"
@@ -157,6 +158,137 @@ TEST(HeadOperator, LinearHeadsLeaveLittleResidueAmongDisorder) {
     ++inside;
   }
   EXPECT_LT(std::sqrt(squares / inside), 0.02);  // 0.35 without the correction of first moments
+}
+
+// Squares cut off at the ground; of each what lies below it, at its centroid, and less than half a square joined to the
+// one underneath.
+Particles cut_squares(double width, double highest, double spacing, const std::function<double(double)>& ground,
+                      double jitter) {
+  struct Piece {
+    double x, y, volume;
+  };
+  Particles result;
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> offset(-jitter * spacing, jitter * spacing);
+  for (double left = 0.0; left < width - 0.5 * spacing; left += spacing) {
+    Piece rest{0.0, 0.0, 0.0};
+    for (double row = std::ceil(highest / spacing) - 1.0; row >= 0.0; row -= 1.0) {
+      constexpr int strips = 200;
+      Piece piece = rest;
+      for (int i = 0; i < strips; ++i) {
+        const double x = left + (i + 0.5) * spacing / strips;
+        const double height = std::clamp(ground(x) - row * spacing, 0.0, spacing);
+        const double volume = height * spacing / strips;
+        piece.x += volume * x;
+        piece.y += volume * (row * spacing + 0.5 * height);
+        piece.volume += volume;
+      }
+      const bool sliver = piece.volume < 0.499999 * spacing * spacing;
+      rest = sliver ? piece : Piece{0.0, 0.0, 0.0};
+      if (sliver) continue;
+      result.x.push_back(piece.x / piece.volume + (jitter > 0.0 ? offset(random) : 0.0));
+      result.y.push_back(piece.y / piece.volume + (jitter > 0.0 ? offset(random) : 0.0));
+      result.volume.push_back(piece.volume);
+    }
+  }
+  result.porosity.assign(result.x.size(), 0.4);
+  return result;
+}
+
+struct PatchError {
+  double flow;  // over the exact one
+  double head;  // largest error, in spacings
+};
+
+// Uniform downward flow, h = y, between the ground and a base at y = 0 that are both held at it, and two walls.
+PatchError downward_flow(double width, double highest, const std::function<double(double)>& ground, double jitter) {
+  constexpr double d = 0.5, step = d / 64.0;
+  const Particles block = cut_squares(width, highest, d, ground, jitter);
+  const std::size_t n = block.size();
+  HeadOperator op(d, smoothing_ratio, {.left = 0.0, .right = width}, 1);
+  op.update(block.skeleton());
+  op.set_conductivity(std::vector<double>(n, 1.0));
+  std::vector<double> base(n, 0.0), face(n, 0.0), load(n, 0.0), h(n, 0.0), diagonal(n);
+  const auto owner = [&](double x, double y) {
+    std::size_t nearest = 0;
+    for (std::size_t p = 1; p < n; ++p) {
+      if (std::hypot(block.x[p] - x, block.y[p] - y) < std::hypot(block.x[nearest] - x, block.y[nearest] - y)) {
+        nearest = p;
+      }
+    }
+    return nearest;
+  };
+  for (double x = 0.5 * step; x < width; x += step) {
+    const std::size_t low = owner(x, 0.0);
+    base[low] += step / block.y[low];
+    // the foot of the particle's normal on the ground's tangent at x
+    const double y = ground(x), slope = (ground(x + 0.25 * step) - ground(x - 0.25 * step)) / (0.5 * step);
+    const std::size_t p = owner(x, y);
+    const double stretch = std::hypot(1.0, slope);
+    const double distance = std::max(0.05 * d, (y - block.y[p] - slope * (x - block.x[p])) / stretch);
+    const double conductance = step * stretch / distance;
+    face[p] += conductance;
+    load[p] += conductance * (block.y[p] + distance / stretch);
+  }
+  for (std::size_t p = 0; p < n; ++p) diagonal[p] = op.diagonal()[p] + base[p] + face[p];
+  const auto apply = [&](std::span<const double> in, std::span<double> out) {
+    op.apply(in, out);
+    for (std::size_t p = 0; p < n; ++p) out[p] += (base[p] + face[p]) * in[p];
+  };
+  ConjugateGradients solver;
+  EXPECT_TRUE(solver.solve(apply, diagonal, load, h, 1.0e-10, 3000, 1).converged);
+  PatchError error{0.0, 0.0};
+  for (std::size_t p = 0; p < n; ++p) {
+    error.flow += base[p] * h[p] / width;
+    error.head = std::max(error.head, std::abs(h[p] - block.y[p]) / d);
+  }
+  return error;
+}
+
+TEST(HeadOperator, ConductsThroughAnInclinedSurfaceExactly) {
+  for (const double degrees : {0.0, 10.0, 20.0, 34.0, 45.0, 60.0}) {
+    for (const double offset : {0.0, 0.125, 0.25, 0.4}) {
+      for (const double jitter : {0.0, 0.1}) {
+        const double width = degrees > 46.0 ? 3.0 : 5.0, slope = std::tan(degrees * std::numbers::pi / 180.0);
+        const PatchError error = downward_flow(
+            width, 2.0 + offset + slope * width, [=](double x) { return 2.0 + offset + slope * x; }, jitter);
+        EXPECT_NEAR(error.flow, 1.0, 0.01) << degrees << " deg, offset " << offset << ", jitter " << jitter;
+        EXPECT_LT(error.head, 0.1) << degrees << " deg, offset " << offset << ", jitter " << jitter;
+      }
+    }
+  }
+}
+
+TEST(HeadOperator, ConductsThroughABrokenSurfaceExactly) {
+  // a slope between two flats, with a bench half way up
+  const auto slope = [](double x) { return 1.0 + std::clamp(x - 2.0, 0.0, 1.5) + std::clamp(x - 5.5, 0.0, 1.5); };
+  // a dam
+  const auto dam = [](double x) { return 1.0 + std::clamp(std::min(0.8 * (x - 1.0), 0.5 * (8.0 - x)), 0.0, 2.0); };
+  for (const double raise : {0.1, 0.25, 0.4}) {
+    for (const double jitter : {0.0, 0.1}) {
+      for (const auto& shape : {std::function<double(double)>(slope), std::function<double(double)>(dam)}) {
+        const PatchError error = downward_flow(
+            9.0, 4.5, [&](double x) { return raise + shape(x); }, jitter);
+        EXPECT_NEAR(error.flow, 1.0, 0.01) << raise << " " << jitter;
+        EXPECT_LT(error.head, 0.1) << raise << " " << jitter;
+      }
+    }
+  }
+}
+
+TEST(HeadOperator, ConductsExactlyWhenTheSoilHasSwollen) {
+  constexpr double swelling = 1.12;
+  auto block = lattice(12, 8, 0.5);
+  HeadOperator op(0.5, smoothing_ratio, {.base = 0.0, .top = 4.0 * swelling}, 1);
+  op.update(block.skeleton());
+  for (double& x : block.x) x *= swelling;
+  for (double& y : block.y) y *= swelling;
+  for (double& v : block.volume) v *= swelling * swelling;
+  op.update(block.skeleton());
+  op.set_conductivity(std::vector<double>(block.size(), 1.0));
+  for (int line = 1; line < 12; ++line) {
+    EXPECT_NEAR(conduction(block, op, 0.5 * line * swelling) / (4.0 * swelling), 1.0, 0.01) << line;
+  }
 }
 
 // Laplace's equation with h = x^2 - y^2 + x y at the faces of the unit square.

@@ -89,7 +89,6 @@ class HeadOperator {
   double lattice_scale_;
   Neighbours neighbours_;
   Images images_;
-  std::vector<double> share_;  // volume of each particle at the first update over the square of the spacing
   std::vector<double> x_weighted_, y_weighted_;  // positions when the pair factors were worked out
   std::vector<double> factor_;                   // g_pq; 0 across seams
   std::vector<double> conductance_;              // g_pq K_pq
