@@ -14,17 +14,17 @@
 namespace slope::testing {
 namespace {
 
-struct Run {
+struct Course {
   couple::Summary summary;
   double largest_step = 0.0;  // of the largest displacement, from one history row to the next (m)
 };
 
 // To a displacement of 30 cm, or the end of the case.
-Run run_with(const std::string& name, std::vector<std::string> overrides, double share_of_limit) {
+Course run_with(const std::string& name, std::vector<std::string> overrides, double share_of_limit) {
   const double limit = share_of_limit * couple::Clock{}.unbalanced_limit;
   overrides.push_back("clock.unbalanced_limit=" + std::to_string(1e6 * limit) + "e-6");
   couple::Simulation simulation = start_shipped_case(name, overrides);
-  Run run;
+  Course run;
   double before = 0.0;
   for (couple::Event event; !event.finished;) {
     event = simulation.advance();
@@ -59,8 +59,8 @@ class ClockLimit : public ::testing::TestWithParam<Halving> {};
 
 TEST_P(ClockLimit, HalvedChangesNoTime) {
   const Halving& h = GetParam();
-  const Run whole = run_with(h.file, {"stop.displacement=30.1 cm"}, 1.0);
-  const Run half = run_with(h.file, {"stop.displacement=30.1 cm"}, 0.5);
+  const Course whole = run_with(h.file, {"stop.displacement=30.1 cm"}, 1.0);
+  const Course half = run_with(h.file, {"stop.displacement=30.1 cm"}, 0.5);
   EXPECT_TRUE(record(h.id, h.what, at_most(0.015), largest_shift(whole.summary, half.summary, 0.30), "%"));
 }
 
@@ -74,16 +74,16 @@ INSTANTIATE_TEST_SUITE_P(
                       Halving{"clock-2-h3", "- slope H3", "paper/slope-h3.yaml"},
                       Halving{"clock-3-storm", "- storm of two days on W2", "rain/storm.yaml"},
                       Halving{"clock-4-road-cut", "- road cut", "rain/road-cut.yaml"}),
-    [](const auto& info) {
-      std::string name = info.param.id;
+    [](const auto& test) {
+      std::string name = test.param.id;
       std::ranges::replace(name, '-', '_');
       return name;
     });
 
 TEST(RoadCut, SlidesAsWithAThirdOfTheLimit) {
   const std::vector<std::string> overrides{"stop={time: 40 h, displacement: 12 cm}"};
-  const Run whole = run_with("rain/road-cut.yaml", overrides, 1.0);
-  const Run third = run_with("rain/road-cut.yaml", overrides, 1.0 / 3.0);
+  const Course whole = run_with("rain/road-cut.yaml", overrides, 1.0);
+  const Course third = run_with("rain/road-cut.yaml", overrides, 1.0 / 3.0);
   EXPECT_TRUE(record("clock-5-road-cut", "Road cut, a third of the clock's limit: times at 2, 5, 10 cm, largest change",
                      at_most(0.015), largest_shift(whole.summary, third.summary, 0.10), "%"));
   EXPECT_TRUE(
