@@ -9,13 +9,15 @@ namespace slope::seepage {
 
 namespace {
 
-constexpr double longest = 40.0;  // x beyond which nothing changes any more
+constexpr double longest = 40.0;      // x beyond which nothing changes any more
+constexpr double bend_width = 0.005;  // of the passage to the level mean, of the conductivity
 
 bool equal(const PotentialAt& a, const PotentialAt& b) {
   return std::abs(a.conductivity - b.conductivity) <= 1.0e-6 * b.conductivity;
 }
 
-// Gravity helps: the wetter end is above, or the path is level.
+// Gravity helps: the wetter end is above, or the path is level. The level mean is more where the curve is flat at the
+// wetter end and steep at the other: soil that is wet over most of the path conducts its weight of water too.
 struct DownMean {
   DownMean(const PotentialAt& a, const PotentialAt& b, double z)
       : drop(z),
@@ -23,14 +25,27 @@ struct DownMean {
         x((a.conductivity - b.conductivity) / gain * drop),
         weight(1.0 / phi(-x)),
         whole(a.pressure_head - b.pressure_head + drop),
-        mean((b.conductivity * drop + gain * weight) / whole) {}
+        fall(a.pressure_head - b.pressure_head),
+        level(gain / fall),
+        exponential((b.conductivity * drop + gain * weight) / whole) {}
+
+  // No less than the level mean, nearly: it bends over to it without a kink.
+  [[nodiscard]] double mean() const {
+    const double lack = 1.0 - exponential / level;
+    return lack > 0.0 ? exponential + level * lack * lack / (lack + bend_width) : exponential;
+  }
 
   [[nodiscard]] double slope_at(const PotentialAt& a, double slope) const {
     const double bend = weight * log_phi_slope(-x) * (drop * slope - x * a.conductivity);
-    return (a.conductivity * weight + bend - mean) / whole;
+    const double over = (a.conductivity * weight + bend - exponential) / whole;
+    const double lack = 1.0 - exponential / level;
+    if (lack <= 0.0) return over;
+    const double over_level = (a.conductivity - level) / fall, sum = lack + bend_width;
+    const double over_lack = (exponential / level * over_level - over) / level;
+    return over + over_level * lack * lack / sum + level * lack * (lack + 2.0 * bend_width) / (sum * sum) * over_lack;
   }
 
-  double drop, gain, x, weight, whole, mean;
+  double drop, gain, x, weight, whole, fall, level, exponential;
 };
 
 // Gravity opposes: the wetter end is below.
@@ -74,7 +89,7 @@ double logarithmic_mean(double a, double b) {
 
 double kirchhoff_mean(const PotentialAt& a, const PotentialAt& b, double drop) {
   if (equal(a, b)) return 0.5 * (a.conductivity + b.conductivity);
-  return gravity_helps(a, b, drop) ? DownMean(a, b, drop).mean : UpMean(a, b, drop).mean;
+  return gravity_helps(a, b, drop) ? DownMean(a, b, drop).mean() : UpMean(a, b, drop).mean;
 }
 
 double kirchhoff_mean_slope(const PotentialAt& a, const PotentialAt& b, double drop, double slope) {

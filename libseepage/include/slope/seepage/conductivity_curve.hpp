@@ -23,10 +23,10 @@ class ConductivityCurve {
 
   /// @param pressure_head  P_w / gamma_w (m), any sign
   [[nodiscard]] Value at(double pressure_head) const;
-  /// The potential alone (m2/s).
-  [[nodiscard]] double potential(double pressure_head) const;
   /// Suction head (m) at which the conductivity has come down to a share of the saturated one, in (0, 1).
   [[nodiscard]] double suction_head_at(double share) const;
+  /// The potential alone (m2/s).
+  [[nodiscard]] double potential(double pressure_head) const;
   /// Conductivity of the saturated soil (m/s).
   [[nodiscard]] double saturated() const { return saturated_; }
 

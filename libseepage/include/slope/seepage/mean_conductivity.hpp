@@ -21,7 +21,8 @@ struct PotentialAt {
 ///
 ///     K (psi_a - psi_b + z) = K_b z + (Phi_a - Phi_b) / phi(-alpha z),   phi(t) = (e^t - 1) / t.
 ///
-/// Gravity so carries water over a front that is thinner than the distance of two particles. With the wetter end below
+/// or M where that is more. Gravity so carries water over a front that is thinner than the distance of two particles.
+/// With the wetter end below
 /// there is a state without flow, where that would not vanish; there it is exponential fitting as of Scharfetter and
 /// Gummel (1969), IEEE Trans. Electron Devices 16, with gravity for their drift,
 ///
