@@ -149,7 +149,7 @@ TEST(Seam, IsACapillaryBarrier) {
        "soils.seam.retention={model: van_genuchten, alpha: 50 1/m, n: 4, residual_saturation: 0.02, "
        "maximum_saturation: "
        "1}",
-       "soils.seam.relative_permeability={model: van_genuchten_mualem, floor: 1e-12}",
+       "soils.seam.relative_permeability={model: van_genuchten_mualem}",
        "geometry=[{soil: loam, polygon: [[0 m, 0.6 m], [0.4 m, 0.6 m], [0.4 m, 1.2 m], [0 m, 1.2 m]]}, {soil: seam, "
        "polygon: [[0 m, 0 m], [0.4 m, 0 m], [0.4 m, 0.6 m], [0 m, 0.6 m]]}]",
        "initial.water={type: uniform, pressure: -19.62 kPa}",
