@@ -71,7 +71,7 @@ soils:
     retention: {model: van_genuchten, alpha: 0.05 1/m, n: 3, residual_saturation: 0, maximum_saturation: 1}
     relative_permeability: {model: hillel, exponent: 2}
   sand: *clay
-failure: {zone_deviatoric_strain: 1e-6}
+failure: {zone_deviatoric_strain: 1e-6, onset_displacement: 0.1 mm}
 stop: {time: 2 s}
 output: {history_interval: 0.5 s}
 )";
