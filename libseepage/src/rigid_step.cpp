@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "slope/seepage/pore_flow.hpp"
 
@@ -72,7 +73,8 @@ void PoreFlow::assemble(double time_step, bool lagged) {
 }
 
 // The water that each particle lacks at the present pressure, right_side_ (m2), and storage_ of the step's equations
-// with the conductances of the faces. @return the norm of what is lacking.
+// with the conductances of the faces; of the norm, what may be rounding of the flows, rounding_ (m2). @return the norm
+// of what is lacking.
 double PoreFlow::find_imbalance(double time_step, const Skeleton& skeleton, const Boundary& boundary) {
   const double flow_scale = time_step / water_.unit_weight();
   find_head(skeleton);
@@ -99,8 +101,13 @@ double PoreFlow::find_imbalance(double time_step, const Skeleton& skeleton, cons
     storage_[p] += flow_scale * open_laws_[k].conductance(open_parts_[k]);
     right_side_[p] += time_step * open_laws_[k].inflow(open_parts_[k], head_[p]);
   }
-  double sum = 0.0;
-  for (std::size_t p = 0; p < pressure_.size(); ++p) sum += is_held_[p] != 0 ? 0.0 : right_side_[p] * right_side_[p];
+  double sum = 0.0, flows = 0.0;
+  for (std::size_t p = 0; p < pressure_.size(); ++p) {
+    sum += is_held_[p] != 0 ? 0.0 : right_side_[p] * right_side_[p];
+    const double flow = time_step * operator_.diagonal()[p] * head_[p];
+    flows += flow * flow;
+  }
+  rounding_ = std::numeric_limits<double>::epsilon() * std::sqrt(flows);
   return std::sqrt(sum);
 }
 
@@ -192,7 +199,8 @@ SolveReport PoreFlow::advance(double time_step, const Skeleton& skeleton, const 
       least_imbalance = imbalance;
       best = pressure_;
     }
-    for (double share = 0.5; !lagged && !report.converged && imbalance >= before && share >= least_share;
+    for (double share = 0.5;
+         !lagged && !report.converged && imbalance >= before && imbalance > rounding_ && share >= least_share;
          share *= 0.5) {
       imbalance = go_to(here, share);
     }

@@ -204,6 +204,7 @@ class PoreFlow {
   std::vector<OpenFaceLaw::Part> open_parts_;  // the parts for which the step is solved
   std::vector<DrainLaw> drain_laws_;           // of the present step's drains
 
+  double rounding_ = 0.0;  // of the imbalance of a step (m2)
   std::vector<double> storage_, right_side_, diagonal_, outflow_, work_, work2_;
   // What a particle stores in the step is taken as offset + slope dP, the tangent at the pressure touched.
   std::vector<double> storage_offset_, storage_slope_, touched_;
