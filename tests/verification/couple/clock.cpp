@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -54,6 +55,10 @@ struct Halving {
   const char* what;
   const char* file;
 };
+
+void PrintTo(const Halving& halving, std::ostream* out) {
+  *out << halving.file;
+}
 
 class ClockLimit : public ::testing::TestWithParam<Halving> {};
 
