@@ -56,7 +56,8 @@ class ChangedPictures : public ::testing::Test {
     auto curves = tools::history_curves(run_.history, "displacement");
     const auto [factor, unit] = tools::length_unit(curves);
     tools::scale_curves(curves, factor);
-    return {run_.input.title, "Displacement |u| (" + unit + ")", run_.history.columns.front(), curves, run_.onset};
+    return {run_.input.title, "Displacement |u| (" + unit + ")", run_.history.columns.front(), curves,
+            run_.onset,       tools::other_onset(run_)};
   }
 
   static double difference(const fs::path& picture, const std::string& reference) {
@@ -91,24 +92,24 @@ TEST_F(ChangedPictures, WaterLevelTenCentimetresHigherIsRejected) {
 }
 
 TEST_F(ChangedPictures, AnotherColourMapIsRejected) {
-  auto suction = panel("suction", 600.0);
+  auto suction = panel("suction", 420.0);
   suction.field.colours = tools::magma_reversed();
   write_contour_picture(changed("suction_in_magma"), picture_width, suction);
-  EXPECT_GT(difference(changed("suction_in_magma"), "suction_600s.png"), allowed());
+  EXPECT_GT(difference(changed("suction_in_magma"), "suction_420s.png"), allowed());
 
-  auto strain = panel("deviatoric_strain", 780.0);
+  auto strain = panel("deviatoric_strain", 540.0);
   strain.field.colours = tools::viridis();
   write_contour_picture(changed("strain_in_viridis"), picture_width, strain);
-  EXPECT_GT(difference(changed("strain_in_viridis"), "deviatoric_strain_780s.png"), allowed());
+  EXPECT_GT(difference(changed("strain_in_viridis"), "deviatoric_strain_540s.png"), allowed());
 }
 
 TEST_F(ChangedPictures, ColoursTurnedAroundAreRejected) {
   const auto map = tools::viridis();
   const std::vector<tools::Colour> turned(map.rbegin(), map.rend());
-  auto drawn = panel("suction", 600.0);
+  auto drawn = panel("suction", 420.0);
   drawn.field.colours = turned;
   write_contour_picture(changed("suction_turned"), picture_width, drawn);
-  EXPECT_GT(difference(changed("suction_turned"), "suction_600s.png"), allowed());
+  EXPECT_GT(difference(changed("suction_turned"), "suction_420s.png"), allowed());
 }
 
 TEST_F(ChangedPictures, ScaleATenthLongerIsRejected) {
@@ -119,9 +120,9 @@ TEST_F(ChangedPictures, ScaleATenthLongerIsRejected) {
 }
 
 // Another machine may draw another digit and a line a fraction of a pixel farther on.
-TEST_F(ChangedPictures, OnsetATenthOfASecondLaterIsAccepted) {
+TEST_F(ChangedPictures, OnsetATenthOfASecondEarlierIsAccepted) {
   auto chart = displacement_chart();
-  chart.onset = 0.1 + chart.onset.value();
+  chart.onset = chart.onset.value() - 0.1;
   write_history_chart(changed("displacement_other_digit"), picture_width, chart);
   EXPECT_LE(difference(changed("displacement_other_digit"), "displacement.png"), allowed());
 }
@@ -157,8 +158,8 @@ TEST_F(ChangedPictures, MissingLegendIsRejected) {
   EXPECT_GT(difference(without(water_level, "suction_0s.png", changed("suction_no_legend")), "suction_0s.png"),
             allowed());
   const Part zone{0.48, 0.67, 0.07, 0.13};
-  EXPECT_GT(difference(without(zone, "deviatoric_strain_780s.png", changed("strain_no_legend")),
-                       "deviatoric_strain_780s.png"),
+  EXPECT_GT(difference(without(zone, "deviatoric_strain_540s.png", changed("strain_no_legend")),
+                       "deviatoric_strain_540s.png"),
             allowed());
   const Part points{0.82, 1.0, 0.1, 0.7};
   EXPECT_GT(difference(without(points, "displacement.png", changed("displacement_no_legend")), "displacement.png"),

@@ -139,7 +139,8 @@ TEST(Frame, GivesCopiesTheSameHistoryAndTurnsTheRestBack) {
   ASSERT_GT(slide.area, 0.0);
   EXPECT_EQ(slide.area, elsewhere.area);
   EXPECT_EQ(slide.direction, -elsewhere.direction);
-  ASSERT_TRUE(slide.toe && elsewhere.toe);
+  ASSERT_EQ(slide.toe.has_value(), elsewhere.toe.has_value());
+  if (!slide.toe) return;
   EXPECT_NEAR((*slide.toe)[0], 500134.45 - (*elsewhere.toe)[0], 1e-9);
   EXPECT_NEAR((*slide.toe)[1], (*elsewhere.toe)[1] - 404.1, 1e-9);
 }
