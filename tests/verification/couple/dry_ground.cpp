@@ -68,17 +68,16 @@ double infiltration_error(double cell, const std::vector<std::string>& overrides
 }
 
 TEST(DryGround, TakesInWhatFineGridsSay) {
-  EXPECT_TRUE(record("dry-ground-0.5",
+  EXPECT_TRUE(record("dry-ground-1",
                      "Rain above k on sand, silt loam and dry loam: infiltration off finite volumes, cells of 0.5 m",
                      at_most(0.08), infiltration_error(0.5), "%"));
-  EXPECT_TRUE(record("dry-ground-0.25", "- cells of 0.25 m", at_most(0.05), infiltration_error(0.25), "%"));
-  EXPECT_TRUE(record("dry-ground-0.1", "- cells of 0.1 m", at_most(0.03), infiltration_error(0.1), "%"));
+  EXPECT_TRUE(record("dry-ground-2", "- cells of 0.25 m", at_most(0.05), infiltration_error(0.25), "%"));
+  EXPECT_TRUE(record("dry-ground-3", "- cells of 0.1 m", at_most(0.03), infiltration_error(0.1), "%"));
 }
 
 TEST(DryGround, TakesInTheSameInTheCoupledScheme) {
-  EXPECT_TRUE(record("dry-ground-coupled", "- cells of 0.5 m, coupled with stiff soil", at_most(0.08),
-                     infiltration_error(0.5, {"coupling.scheme=semi_implicit", "clock.maximum_factor=10000",
-                                              "soils.ground.youngs_modulus=2 GPa"}),
+  EXPECT_TRUE(record("dry-ground-4", "- cells of 0.5 m, coupled with stiff soil", at_most(0.08),
+                     infiltration_error(0.5, {"coupling.scheme=semi_implicit", "soils.ground.youngs_modulus=2 GPa"}),
                      "%"));
 }
 
@@ -86,14 +85,12 @@ TEST(DryGround, Evaporates) {
   const auto error = [](const Ground& ground, double cell) {
     return std::abs(water_of(ground, cell).evaporation / ground.right - 1.0);
   };
-  EXPECT_TRUE(record("evaporation-sand",
-                     "Showers and drying of sand, 40 days: evaporation off 0.018 m, cells of 0.02 m", at_most(0.15),
-                     error(drying_sand, 0.02), "%"));
-  EXPECT_TRUE(record("evaporation-sand-0.1", "- cells of 0.1 m", at_most(0.4), error(drying_sand, 0.1), "%"));
-  EXPECT_TRUE(record("evaporation-silt-loam", "- silt loam, off 0.0845 m, cells of 0.02 m", at_most(0.03),
+  EXPECT_TRUE(record("evaporation-1", "Showers and drying of sand, 40 days: evaporation off 0.018 m, cells of 0.02 m",
+                     at_most(0.15), error(drying_sand, 0.02), "%"));
+  EXPECT_TRUE(record("evaporation-2", "- cells of 0.1 m", at_most(0.4), error(drying_sand, 0.1), "%"));
+  EXPECT_TRUE(record("evaporation-3", "- silt loam, off 0.0845 m, cells of 0.02 m", at_most(0.03),
                      error(drying_silt_loam, 0.02), "%"));
-  EXPECT_TRUE(
-      record("evaporation-silt-loam-0.1", "- cells of 0.1 m", at_most(0.08), error(drying_silt_loam, 0.1), "%"));
+  EXPECT_TRUE(record("evaporation-4", "- cells of 0.1 m", at_most(0.08), error(drying_silt_loam, 0.1), "%"));
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ TEST(InclinedGround, UnderAHeldHeadIsAtRest) {
   couple::Simulation simulation =
       layer("{type: hydrostatic, water_table: 7.5 m}", "{name: lake, at: ground_surface, total_head: 7.5 m}");
   run(simulation, [](const couple::ParticleTable&) {});
-  EXPECT_TRUE(record("inclined-rest", "Inclined ground (2 in 3) under a held head: flow at rest, over k", at_most(1e-9),
+  EXPECT_TRUE(record("inclined-1", "Inclined ground (2 in 3) under a held head: flow at rest, over k", at_most(1e-9),
                      simulation.summary().initial_head_flux, ""));
   EXPECT_NEAR(simulation.summary().water.infiltration, 0.0, 1e-12);
 }
@@ -35,8 +35,8 @@ TEST(InclinedGround, TakesAFluxPerMetreOfItsOwnLength) {
                                         "free_drainage: true}");
   run(simulation, [](const couple::ParticleTable&) {});
   const double exact = 1.0e-7 * 7200.0 * std::hypot(6.0, 4.0);
-  EXPECT_TRUE(record("inclined-flux", "- under a flux: inflow over flux times the length of the ground",
-                     near(1.0, 1.0e-6), simulation.summary().water.by_boundary.at("rain") / exact, ""));
+  EXPECT_TRUE(record("inclined-2", "- under a flux: inflow over flux times the length of the ground", near(1.0, 1.0e-6),
+                     simulation.summary().water.by_boundary.at("rain") / exact, ""));
 }
 
 }  // namespace
