@@ -461,9 +461,9 @@ bool has_text(Program& program, const fs::path& file, const std::string& text) {
 
 TEST_P(InterruptedRun, EndsInItsInitialStateToo) {
   const fs::path out = scratch_ / "run";
-  Program program({"run", box, "-o", out.string(), "--set", "domain.cell_size=0.02 m", "--set",
-                   "initial.stress=self_weight"},
-                  scratch_);
+  Program program(
+      {"run", box, "-o", out.string(), "--set", "domain.cell_size=0.02 m", "--set", "initial.stress=self_weight"},
+      scratch_);
   ASSERT_TRUE(has_text(program, scratch_ / "errors", "initial state: elastic stress"));
   program.signal(GetParam());
   const Outcome outcome = program.wait();

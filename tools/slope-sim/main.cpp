@@ -30,8 +30,8 @@ void check(const std::string& file, const std::vector<std::string>& overrides) {
     return std::lround((domain.upper[axis] - domain.lower[axis]) / domain.cell_size);
   };
   fmt::print("{}: fine: {} particles of {} soil{} on {} x {} cells of {} m, until {:g} s\n", file,
-             first_particles(input).x.size(), input.soils.size(), input.soils.size() == 1 ? "" : "s",
-             cells(0), cells(1), domain.cell_size, input.stop.time);
+             first_particles(input).x.size(), input.soils.size(), input.soils.size() == 1 ? "" : "s", cells(0),
+             cells(1), domain.cell_size, input.stop.time);
 }
 
 void add_case(CLI::App& command, std::string& file, std::vector<std::string>& overrides) {

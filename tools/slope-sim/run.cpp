@@ -90,8 +90,9 @@ class Run {
   void tell_of_unbalanced_start() {
     const couple::Summary summary = simulation_.summary();
     if (summary.stands_before) return;
-    const std::string text = verdict_text(simulation_.input(), summary) +
-                             "; what follows is how it falls. To see what comes later, make it stronger, flatter or drier";
+    const std::string text =
+        verdict_text(simulation_.input(), summary) +
+        "; what follows is how it falls. To see what comes later, make it stronger, flatter or drier";
     writer_.log(text);
     progress_.say(text);
   }
