@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 
 #include "moved_beyond.hpp"
 #include "slope/seepage/neighbours.hpp"
@@ -55,21 +56,30 @@ std::array<double, 3> with_images(double at, double low_wall, double high_wall) 
 }  // namespace
 
 bool FreeSurface::update(const Skeleton& skeleton) {
-  if (x_.size() == skeleton.size() && !moved_beyond(follow_distance * spacing_, skeleton, x_, y_)) return false;
-  x_.assign(skeleton.x.begin(), skeleton.x.end());
-  y_.assign(skeleton.y.begin(), skeleton.y.end());
-  find_pieces(skeleton);
-  find_widths(skeleton);
+  if (state_.x.size() == skeleton.size() && !moved_beyond(follow_distance * spacing_, skeleton, state_.x, state_.y)) {
+    return false;
+  }
+  state_.x.assign(skeleton.x.begin(), skeleton.x.end());
+  state_.y.assign(skeleton.y.begin(), skeleton.y.end());
+  find_pieces();
+  find_widths();
   return true;
 }
 
-void FreeSurface::find_pieces(const Skeleton& skeleton) {
+void FreeSurface::set_state(State state) {
+  if (state.x.size() != state.y.size()) throw std::invalid_argument("the free surface's arrays differ in length");
+  state_ = std::move(state);
+  find_pieces();
+  find_widths();
+}
+
+void FreeSurface::find_pieces() {
   pieces_.clear();
   const double diameter = 2.0 * disc_radius * spacing_;
-  const Neighbours neighbours = find_neighbours(skeleton.x, skeleton.y, diameter);
+  const Neighbours neighbours = find_neighbours(state_.x, state_.y, diameter);
   std::vector<Arc> covered;
-  for (std::size_t p = 0; p < skeleton.size(); ++p) {
-    const double px = skeleton.x[p], py = skeleton.y[p];
+  for (std::size_t p = 0; p < state_.x.size(); ++p) {
+    const double px = state_.x[p], py = state_.y[p];
     covered.clear();
     const auto cover = [&](double x, double y) {
       const double dx = x - px, dy = y - py;
@@ -79,8 +89,8 @@ void FreeSurface::find_pieces(const Skeleton& skeleton) {
       covered.push_back({std::atan2(dy, dx) - half, 2.0 * half});
     };
     const auto cover_all = [&](std::size_t q) {
-      const auto xs = with_images(skeleton.x[q], walls_.left, walls_.right);
-      const auto ys = with_images(skeleton.y[q], walls_.base, walls_.top);
+      const auto xs = with_images(state_.x[q], walls_.left, walls_.right);
+      const auto ys = with_images(state_.y[q], walls_.base, walls_.top);
       for (std::size_t i = 0; i < xs.size(); ++i) {
         for (std::size_t j = 0; j < ys.size(); ++j) {
           if (q != p || i > 0 || j > 0) cover(xs[i], ys[j]);
@@ -97,12 +107,12 @@ void FreeSurface::find_pieces(const Skeleton& skeleton) {
   }
 }
 
-void FreeSurface::find_widths(const Skeleton& skeleton) {
+void FreeSurface::find_widths() {
   if (pieces_.empty()) return;
   double left = std::numeric_limits<double>::infinity(), right = -left;
   for (const SurfacePiece& piece : pieces_) {
-    left = std::min(left, skeleton.x[piece.particle]);
-    right = std::max(right, skeleton.x[piece.particle]);
+    left = std::min(left, state_.x[piece.particle]);
+    right = std::max(right, state_.x[piece.particle]);
   }
   // soil this close to a wall reaches up to it
   left = left - walls_.left < spacing_ ? walls_.left : left - 0.5 * spacing_;
@@ -119,7 +129,7 @@ void FreeSurface::find_widths(const Skeleton& skeleton) {
   std::vector<Taker> takers(static_cast<std::size_t>(count));
   const double half = (0.5 + 1.0e-6) * spacing_;
   for (SurfacePiece& piece : pieces_) {
-    const double x = skeleton.x[piece.particle], y = skeleton.y[piece.particle];
+    const double x = state_.x[piece.particle], y = state_.y[piece.particle];
     const double first = std::max(0.0, std::ceil((x - reach * spacing_ - left) / strip - 0.5));
     for (double k = first; k < count; ++k) {
       const double distance = std::abs(left + (k + 0.5) * strip - x);

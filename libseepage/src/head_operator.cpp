@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "moment_correction.hpp"
 #include "moved_beyond.hpp"
@@ -31,21 +32,39 @@ void HeadOperator::set_soils(std::span<const std::uint16_t> soil, std::vector<Co
 
 bool HeadOperator::update(const Skeleton& skeleton) {
   const std::size_t n = skeleton.size();
-  if (x_weighted_.size() == n && !moved_beyond(follow_distance * spacing_, skeleton, x_weighted_, y_weighted_)) {
+  if (state_.x.size() == n && !moved_beyond(follow_distance * spacing_, skeleton, state_.x, state_.y)) {
     return false;
   }
-  x_weighted_.assign(skeleton.x.begin(), skeleton.x.end());
-  y_weighted_.assign(skeleton.y.begin(), skeleton.y.end());
-  neighbours_ = find_neighbours(skeleton.x, skeleton.y, kernel_.support(), threads_);
-  find_images(skeleton, neighbours_, walls_, kernel_, lattice_scale_, images_);
-  find_pair_factors(skeleton);
-  if (curves_.size() > 1) find_seams();
+  state_.x.assign(skeleton.x.begin(), skeleton.x.end());
+  state_.y.assign(skeleton.y.begin(), skeleton.y.end());
+  state_.volume.assign(skeleton.volume.begin(), skeleton.volume.end());
+  find_pairs();
+  state_.seam_pressure_head.assign(seams_.size(), 0.0);
   return true;
 }
 
-void HeadOperator::find_pair_factors(const Skeleton& skeleton) {
-  const std::size_t n = skeleton.size();
-  const MomentCorrection correction(images_, skeleton.volume, kernel_, spacing_, threads_);
+void HeadOperator::set_state(State state) {
+  const std::size_t n = state.x.size();
+  if (state.y.size() != n || state.volume.size() != n || (!soil_.empty() && soil_.size() != n)) {
+    throw std::invalid_argument("the arrays of the head operator's state differ in length");
+  }
+  state_ = std::move(state);
+  find_pairs();
+  if (state_.seam_pressure_head.size() != seams_.size()) {
+    throw std::invalid_argument("the head operator's state has another number of pairs across seams");
+  }
+}
+
+void HeadOperator::find_pairs() {
+  neighbours_ = find_neighbours(state_.x, state_.y, kernel_.support(), threads_);
+  find_images({state_.x, state_.y, state_.volume, {}}, neighbours_, walls_, kernel_, lattice_scale_, images_);
+  find_pair_factors();
+  if (curves_.size() > 1) find_seams();
+}
+
+void HeadOperator::find_pair_factors() {
+  const std::size_t n = state_.x.size();
+  const MomentCorrection correction(images_, state_.volume, kernel_, spacing_, threads_);
   factor_.assign(neighbours_.index.size(), 0.0);
   conductance_.assign(factor_.size(), 0.0);
   diagonal_.resize(n);
@@ -56,7 +75,7 @@ void HeadOperator::find_pair_factors(const Skeleton& skeleton) {
     for (const Image& image : images_.of(p)) {
       if (image.particle == p) break;
       while (neighbours_.index[s] != image.particle) ++s;
-      factor_[s] += 2.0 * skeleton.volume[p] * image.weight * correction(p, image);
+      factor_[s] += 2.0 * state_.volume[p] * image.weight * correction(p, image);
     }
   }
 }
@@ -81,10 +100,10 @@ void HeadOperator::find_seams() {
 
 // Distance of p from the seam on the way to q, a particle of another soil.
 double HeadOperator::seam_distance(std::size_t p, std::size_t q) const {
-  const double to_x = x_weighted_[q] - x_weighted_[p], to_y = y_weighted_[q] - y_weighted_[p];
+  const double to_x = state_.x[q] - state_.x[p], to_y = state_.y[q] - state_.y[p];
   double nearest = to_x * to_x + to_y * to_y;
   for (const std::uint32_t r : neighbours_.of(p)) {
-    const double dx = x_weighted_[r] - x_weighted_[p], dy = y_weighted_[r] - y_weighted_[p];
+    const double dx = state_.x[r] - state_.x[p], dy = state_.y[r] - state_.y[p];
     if (soil_[r] == soil_[q] && dx * to_x + dy * to_y > 0.0) nearest = std::min(nearest, dx * dx + dy * dy);
   }
   return std::max(std::sqrt(nearest) - 0.5 * spacing_, least_distance * spacing_);
@@ -95,11 +114,11 @@ SeamLeg HeadOperator::leg(std::size_t p, double share, double drop) const {
 }
 
 SeamLeg HeadOperator::first_leg(const Seam& seam) const {
-  return leg(seam.first, seam.share, y_weighted_[seam.first] - y_weighted_[seam.second]);
+  return leg(seam.first, seam.share, state_.y[seam.first] - state_.y[seam.second]);
 }
 
 SeamLeg HeadOperator::second_leg(const Seam& seam) const {
-  return leg(seam.second, 1.0 - seam.share, y_weighted_[seam.second] - y_weighted_[seam.first]);
+  return leg(seam.second, 1.0 - seam.share, state_.y[seam.second] - state_.y[seam.first]);
 }
 
 void HeadOperator::set_conductivity(std::span<const double> conductivity) {
@@ -117,11 +136,12 @@ void HeadOperator::set_conductivity(std::span<const double> conductivity, std::s
 #pragma omp parallel for schedule(static) num_threads(threads_) if (threads_ > 1)
   for (std::size_t k = 0; k < seams_.size(); ++k) {
     Seam& seam = seams_[k];
-    seam.mean = seam_mean(first_leg(seam), second_leg(seam), seam.mean.pressure_head);
+    seam.mean = seam_mean(first_leg(seam), second_leg(seam), state_.seam_pressure_head[k]);
+    state_.seam_pressure_head[k] = seam.mean.pressure_head;
     conductance_[seam.place] = conductance_[seam.back] = seam.factor * seam.mean.conductivity;
   }
   find_conductances([this](std::size_t p, std::size_t q) {
-    return kirchhoff_mean(conductivity_[p], conductivity_[q], y_weighted_[p] - y_weighted_[q]);
+    return kirchhoff_mean(conductivity_[p], conductivity_[q], state_.y[p] - state_.y[q]);
   });
 }
 
@@ -154,8 +174,7 @@ double HeadOperator::flow_slope(std::size_t p, std::size_t s, double slope, doub
            (seam_flow_slope(from_first ? first_leg(seam) : second_leg(seam), seam.mean.pressure_head, reach, slope) -
             seam.mean.conductivity);
   }
-  return factor_[s] * fall *
-         kirchhoff_mean_slope(conductivity_[p], conductivity_[q], y_weighted_[p] - y_weighted_[q], slope);
+  return factor_[s] * fall * kirchhoff_mean_slope(conductivity_[p], conductivity_[q], state_.y[p] - state_.y[q], slope);
 }
 
 void HeadOperator::apply(std::span<const double> head, std::span<double> outflow) const {

@@ -34,14 +34,14 @@ PoreFlow::PoreFlow(std::vector<Soil> soils, const Water& water, std::span<const 
       operator_(settings.spacing, settings.smoothing_ratio, settings.walls, settings.threads),
       soil_(soil.begin(), soil.end()),
       particles_of_soil_(soils_.size()),
-      tolerance_share_(tolerance_share_of(soils_)),
-      pressure_(pressure.begin(), pressure.end()) {
-  const std::size_t n = pressure_.size();
+      tolerance_share_(tolerance_share_of(soils_)) {
+  state_.pressure.assign(pressure.begin(), pressure.end());
+  const std::size_t n = state_.pressure.size();
   for (std::size_t p = 0; p < n; ++p) particles_of_soil_[soil_[p]].push_back(static_cast<std::uint32_t>(p));
-  for (auto* v : {&suction_, &saturation_,    &pore_stress_,    &capacity_,      &conductivity_, &pressure_head_,
-                  &head_,    &potential_,     &front_start_,    &face_gain_,     &content_,      &defect_,
-                  &change_,  &stress_change_, &storage_,        &right_side_,    &diagonal_,     &outflow_,
-                  &work_,    &work2_,         &storage_offset_, &storage_slope_, &touched_,      &latest_change_}) {
+  for (auto* v : {&suction_, &saturation_,    &pore_stress_,       &capacity_,      &conductivity_,  &pressure_head_,
+                  &head_,    &potential_,     &state_.front_start, &face_gain_,     &state_.content, &state_.defect,
+                  &change_,  &stress_change_, &storage_,           &right_side_,    &diagonal_,      &outflow_,
+                  &work_,    &work2_,         &storage_offset_,    &storage_slope_, &touched_,       &latest_change_}) {
     v->assign(n, 0.0);
   }
   is_held_.assign(n, 0);
@@ -52,15 +52,24 @@ PoreFlow::PoreFlow(std::vector<Soil> soils, const Water& water, std::span<const 
   }
   operator_.set_soils(soil_, std::move(curves));
   evaluate_soil();
-  front_start_ = pressure_;
+  state_.front_start = state_.pressure;
   follow(skeleton);
-  for (std::size_t p = 0; p < n; ++p) content_[p] = water_of(p, skeleton);
+  for (std::size_t p = 0; p < n; ++p) state_.content[p] = water_of(p, skeleton);
 }
 
 void PoreFlow::follow(const Skeleton& skeleton) {
-  const bool moved = operator_.update(skeleton);
-  pattern_known_ = !moved && pattern_known_;
-  ordering_known_ = !moved && ordering_known_;
+  if (operator_.update(skeleton)) assembled_.forget();
+}
+
+void PoreFlow::set_state(State state, HeadOperator::State head_operator) {
+  const std::size_t n = soil_.size();
+  for (const auto* field : {&state.pressure, &state.content, &state.defect, &state.front_start, &head_operator.x}) {
+    if (field->size() != n) throw std::invalid_argument("the state of the pore water has another number of particles");
+  }
+  operator_.set_state(std::move(head_operator));
+  state_ = std::move(state);
+  assembled_.forget();
+  evaluate_soil();
 }
 
 // S_r, dS_r/dP_w, k k_rw and S_r P_w at the present pressure (paper, Eqs. 8-10).
@@ -76,14 +85,14 @@ void PoreFlow::evaluate_soil() {
 #pragma omp parallel for schedule(static) num_threads(settings_.threads) if (settings_.threads > 1)
           for (std::size_t i = 0; i < members.size(); ++i) {
             const std::size_t p = members[i];
-            suction_[p] = -pressure_[p];
+            suction_[p] = -state_.pressure[p];
             const double suction_head = suction_[p] * inverse_weight;
             const Saturation s = retention.evaluate(suction_head);
             saturation_[p] = s.saturation;
             capacity_[p] = -s.slope * inverse_weight;
             conductivity_[p] = saturated * std::max(permeability.evaluate(suction_head, s.saturation), floor);
             potential_[p] = curve.potential(-suction_head);
-            pore_stress_[p] = s.saturation * pressure_[p];
+            pore_stress_[p] = s.saturation * state_.pressure[p];
           }
         },
         soils_[k].retention, soils_[k].relative_permeability.law);
@@ -93,14 +102,14 @@ void PoreFlow::evaluate_soil() {
 void PoreFlow::find_head(const Skeleton& skeleton) {
   const double inverse_weight = 1.0 / water_.unit_weight();
   elevation_.assign(skeleton.y.begin(), skeleton.y.end());
-  for (std::size_t p = 0; p < pressure_.size(); ++p) {
-    pressure_head_[p] = pressure_[p] * inverse_weight;
+  for (std::size_t p = 0; p < state_.pressure.size(); ++p) {
+    pressure_head_[p] = state_.pressure[p] * inverse_weight;
     head_[p] = pressure_head_[p] + elevation_[p];
   }
 }
 
 double PoreFlow::water_of(std::size_t p, const Skeleton& skeleton) const {
-  return skeleton.porosity[p] * saturation_[p] * skeleton.volume[p] * (1.0 + pressure_[p] / water_.bulk_modulus);
+  return skeleton.porosity[p] * saturation_[p] * skeleton.volume[p] * (1.0 + state_.pressure[p] / water_.bulk_modulus);
 }
 
 // What the soil of a particle conducts at a pressure (Pa).
@@ -113,7 +122,7 @@ PotentialAt PoreFlow::conductivity_at(std::size_t p, double pressure) const {
 // d(k k_rw)/dpsi of a particle at its present pressure (1/s), >= 0.
 double PoreFlow::conductivity_slope(std::size_t p) const {
   const Soil& soil = soils_[soil_[p]];
-  const double suction_head = -pressure_[p] / water_.unit_weight();
+  const double suction_head = -state_.pressure[p] / water_.unit_weight();
   return -soil.hydraulic_conductivity *
          soil.relative_permeability.slope(suction_head, evaluate(soil.retention, suction_head));
 }
@@ -122,11 +131,11 @@ double PoreFlow::conductivity_slope(std::size_t p) const {
 WettingFront PoreFlow::front_of(std::size_t p, double face_pressure) const {
   const Retention& retention = soils_[soil_[p]].retention;
   const double inverse_weight = 1.0 / water_.unit_weight();
-  const double dry = evaluate(retention, -front_start_[p] * inverse_weight).saturation;
+  const double dry = evaluate(retention, -state_.front_start[p] * inverse_weight).saturation;
   const double room = evaluate(retention, -face_pressure * inverse_weight).saturation - dry;
   constexpr double no_room = 1.0e-6;
-  if (room < no_room) return {conductivity_at(p, front_start_[p]), 1.0, 0.0};
-  return {conductivity_at(p, front_start_[p]), (saturation_[p] - dry) / room,
+  if (room < no_room) return {conductivity_at(p, state_.front_start[p]), 1.0, 0.0};
+  return {conductivity_at(p, state_.front_start[p]), (saturation_[p] - dry) / room,
           capacity_[p] * water_.unit_weight() / room};
 }
 
@@ -134,7 +143,7 @@ WettingFront PoreFlow::front_of(std::size_t p, double face_pressure) const {
 PoreFlow::FaceLaw PoreFlow::face_law(const FacePressure& face) const {
   const std::size_t p = face.particle;
   const HeldFace held{conductivity_at(p, face.pressure),
-                      {conductivity_[p], pressure_[p] / water_.unit_weight(), potential_[p]},
+                      {conductivity_[p], state_.pressure[p] / water_.unit_weight(), potential_[p]},
                       conductivity_slope(p),
                       face.rise,
                       face.distance};
@@ -203,7 +212,7 @@ bool PoreFlow::switch_open_faces(const Boundary& boundary, double time_step, dou
 // The right side without the offsets of storage over the one with them, in the solver's norm.
 double PoreFlow::offset_share() const {
   double without = 0.0, with = 0.0;
-  for (std::size_t p = 0; p < pressure_.size(); ++p) {
+  for (std::size_t p = 0; p < state_.pressure.size(); ++p) {
     const double first = right_side_[p] + storage_offset_[p];
     without += first * first / diagonal_[p];
     with += right_side_[p] * right_side_[p] / diagonal_[p];
@@ -216,9 +225,9 @@ PoreFlow::Tangent PoreFlow::tangent_at(std::size_t p, double pressure, const Ske
   const Saturation s = evaluate(soils_[soil_[p]].retention, -pressure / water_.unit_weight());
   const double pores = skeleton.volume[p] * skeleton.porosity[p];
   const double stored = pores * (s.saturation * (1.0 + pressure / water_.bulk_modulus) -
-                                 saturation_[p] * (1.0 + pressure_[p] / water_.bulk_modulus));
+                                 saturation_[p] * (1.0 + state_.pressure[p] / water_.bulk_modulus));
   const double slope = pores * (s.saturation / water_.bulk_modulus - s.slope / water_.unit_weight());
-  return {p, stored - slope * (pressure - pressure_[p]), slope, pressure};
+  return {p, stored - slope * (pressure - state_.pressure[p]), slope, pressure};
 }
 
 // Puts the tangents of the retention curves at the pressure just found into the equations, if what the present ones get
@@ -227,8 +236,8 @@ bool PoreFlow::follow_retention(const Skeleton& skeleton, double tolerable) {
   constexpr double straight = 0.01;  // relative change of the suction within which a curve counts as its tangent
   double squares = 0.0;
   tangents_.clear();
-  for (std::size_t p = 0; p < pressure_.size(); ++p) {
-    const double before = pressure_[p], now = before + change_[p];
+  for (std::size_t p = 0; p < state_.pressure.size(); ++p) {
+    const double before = state_.pressure[p], now = before + change_[p];
     const bool on_tangent = (before > 0.0 && now > 0.0) || std::abs(change_[p]) < -straight * before;
     if (on_tangent && storage_offset_[p] == 0.0) continue;
     tangents_.push_back(tangent_at(p, now, skeleton));
@@ -257,9 +266,9 @@ bool PoreFlow::follow_retention(const Skeleton& skeleton, double tolerable) {
 
 void PoreFlow::finish(double time_step, const Skeleton& skeleton, const Boundary& boundary) {
   const double inverse_weight = 1.0 / water_.unit_weight();
-  for (std::size_t p = 0; p < pressure_.size(); ++p) head_[p] += change_[p] * inverse_weight;
+  for (std::size_t p = 0; p < state_.pressure.size(); ++p) head_[p] += change_[p] * inverse_weight;
   find_flow(boundary);
-  for (std::size_t p = 0; p < pressure_.size(); ++p) pressure_[p] += change_[p];
+  for (std::size_t p = 0; p < state_.pressure.size(); ++p) state_.pressure[p] += change_[p];
   book(time_step, skeleton, boundary);
 }
 
@@ -273,7 +282,7 @@ void PoreFlow::find_flow(const Boundary& boundary) {
 // faces that is what their laws say at the present head: were the step solved for another part of a law, the particle's
 // defect has the difference.
 void PoreFlow::take_in_boundary_flow(const Boundary& boundary) {
-  inflow_rate_.assign(boundary.count, 0.0);
+  state_.inflow_rate.assign(boundary.count, 0.0);
   std::fill(face_gain_.begin(), face_gain_.end(), 0.0);
   std::fill(face_full_.begin(), face_full_.end(), std::uint8_t{0});
   for (const FacePressure& face : boundary.faces) {
@@ -281,19 +290,19 @@ void PoreFlow::take_in_boundary_flow(const Boundary& boundary) {
     face_gain_[face.particle] += std::max(rate, 0.0);
     face_full_[face.particle] = 1;
     outflow_[face.particle] -= rate;
-    inflow_rate_[face.boundary] += rate;
+    state_.inflow_rate[face.boundary] += rate;
   }
   for (const Inflow& inflow : boundary.inflows) {
     outflow_[inflow.particle] -= inflow.rate;
-    inflow_rate_[inflow.boundary] += inflow.rate;
+    state_.inflow_rate[inflow.boundary] += inflow.rate;
   }
   for (std::size_t k = 0; k < drain_laws_.size(); ++k) {
     const Drain& drain = boundary.drains[k];
     const double rate = drain_laws_[k].outflow(head_[drain.particle]);
     outflow_[drain.particle] += rate;
-    inflow_rate_[drain.boundary] -= rate;
+    state_.inflow_rate[drain.boundary] -= rate;
   }
-  air_flow_ = {};
+  state_.air_flow = {};
   for (std::size_t k = 0; k < open_laws_.size(); ++k) {
     const OpenFace& face = boundary.open_faces[k];
     const double head = head_[face.particle];
@@ -302,8 +311,8 @@ void PoreFlow::take_in_boundary_flow(const Boundary& boundary) {
     face_gain_[face.particle] += std::max(rate, 0.0);
     if (part != OpenFaceLaw::Part::air) face_full_[face.particle] = 1;
     outflow_[face.particle] -= rate;
-    inflow_rate_[face.boundary] += rate;
-    air_flow_ += seepage::air_flow(face.rain, rate);
+    state_.inflow_rate[face.boundary] += rate;
+    state_.air_flow += seepage::air_flow(face.rain, rate);
   }
 }
 
@@ -311,30 +320,30 @@ void PoreFlow::take_in_boundary_flow(const Boundary& boundary) {
 void PoreFlow::follow_front(std::size_t p, double gain, double time_step) {
   constexpr double kept = 0.1;  // of what comes in, by a particle that does not pass it on
   if (face_full_[p] != 0 && face_gain_[p] > 0.0) return;
-  if (gain <= kept * time_step * face_gain_[p]) front_start_[p] = pressure_[p];
+  if (gain <= kept * time_step * face_gain_[p]) state_.front_start[p] = state_.pressure[p];
 }
 
 // Evaluates the soil at the new pressure and books the water of the step, given the particles' outflow.
 void PoreFlow::book(double time_step, const Skeleton& skeleton, const Boundary& boundary) {
   evaluate_soil();
-  for (std::size_t p = 0; p < pressure_.size(); ++p) {
+  for (std::size_t p = 0; p < state_.pressure.size(); ++p) {
     const double content = water_of(p, skeleton);
-    follow_front(p, content - content_[p], time_step);
-    defect_[p] += content_[p] - content - time_step * outflow_[p];
-    content_[p] = content;
+    follow_front(p, content - state_.content[p], time_step);
+    state_.defect[p] += state_.content[p] - content - time_step * outflow_[p];
+    state_.content[p] = content;
   }
   for (const HeldPressure& held : boundary.held) {
-    inflow_rate_[held.boundary] -= defect_[held.particle] / time_step;
-    defect_[held.particle] = 0.0;
+    state_.inflow_rate[held.boundary] -= state_.defect[held.particle] / time_step;
+    state_.defect[held.particle] = 0.0;
   }
-  inflow_.resize(boundary.count, 0.0);
-  for (std::size_t b = 0; b < boundary.count; ++b) inflow_[b] += time_step * inflow_rate_[b];
+  state_.inflow.resize(boundary.count, 0.0);
+  for (std::size_t b = 0; b < boundary.count; ++b) state_.inflow[b] += time_step * state_.inflow_rate[b];
   check();
 }
 
 void PoreFlow::advance_explicitly(double time_step, const Skeleton& skeleton, std::span<const double> vx,
                                   std::span<const double> vy, const Boundary& boundary) {
-  const std::size_t n = pressure_.size();
+  const std::size_t n = state_.pressure.size();
   if (!two_pass_) two_pass_.emplace(settings_.spacing, settings_.smoothing_ratio, settings_.walls);
   wx_.resize(n);
   wy_.resize(n);
@@ -351,14 +360,15 @@ void PoreFlow::advance_explicitly(double time_step, const Skeleton& skeleton, st
     const double storage = skeleton.porosity[p] * (saturation_[p] / water_.bulk_modulus + capacity_[p]);
     change_[p] = -time_step / storage * (outflow_[p] / skeleton.volume[p] + saturation_[p] * work_[p]);
   }
-  for (const HeldPressure& held : boundary.held) change_[held.particle] = held.pressure - pressure_[held.particle];
-  for (std::size_t p = 0; p < n; ++p) pressure_[p] += change_[p];
+  for (const HeldPressure& held : boundary.held)
+    change_[held.particle] = held.pressure - state_.pressure[held.particle];
+  for (std::size_t p = 0; p < n; ++p) state_.pressure[p] += change_[p];
   book(time_step, skeleton, boundary);
 }
 
 double PoreFlow::explicit_step(const Skeleton& skeleton) const {
   double shortest = std::numeric_limits<double>::infinity();
-  for (std::size_t p = 0; p < pressure_.size(); ++p) {
+  for (std::size_t p = 0; p < state_.pressure.size(); ++p) {
     const double diffusivity =
         soils_[soil_[p]].hydraulic_conductivity * water_.bulk_modulus / (skeleton.porosity[p] * water_.unit_weight());
     shortest = std::min(shortest, settings_.spacing * settings_.spacing / diffusivity);
@@ -367,15 +377,15 @@ double PoreFlow::explicit_step(const Skeleton& skeleton) const {
 }
 
 void PoreFlow::check() const {
-  for (std::size_t p = 0; p < pressure_.size(); ++p) {
-    if (!std::isfinite(pressure_[p])) throw SeepageError(p, "pore pressure (Pa)", pressure_[p]);
-    if (!std::isfinite(defect_[p])) throw SeepageError(p, "water balance (m2)", defect_[p]);
+  for (std::size_t p = 0; p < state_.pressure.size(); ++p) {
+    if (!std::isfinite(state_.pressure[p])) throw SeepageError(p, "pore pressure (Pa)", state_.pressure[p]);
+    if (!std::isfinite(state_.defect[p])) throw SeepageError(p, "water balance (m2)", state_.defect[p]);
   }
 }
 
 void PoreFlow::darcy_velocity(const Skeleton& skeleton, std::span<double> wx, std::span<double> wy) const {
-  std::vector<double> head(pressure_.size());
-  for (std::size_t p = 0; p < head.size(); ++p) head[p] = pressure_[p] / water_.unit_weight() + skeleton.y[p];
+  std::vector<double> head(state_.pressure.size());
+  for (std::size_t p = 0; p < head.size(); ++p) head[p] = state_.pressure[p] / water_.unit_weight() + skeleton.y[p];
   operator_.gradient(head, skeleton, wx, wy);
   for (std::size_t p = 0; p < head.size(); ++p) {
     wx[p] *= -conductivity_[p];
@@ -385,13 +395,13 @@ void PoreFlow::darcy_velocity(const Skeleton& skeleton, std::span<double> wx, st
 
 double PoreFlow::stored_water() const {
   double sum = 0.0;
-  for (const double content : content_) sum += content;
+  for (const double content : state_.content) sum += content;
   return sum;
 }
 
 double PoreFlow::unexplained_water() const {
   double sum = 0.0;
-  for (const double defect : defect_) sum += defect;
+  for (const double defect : state_.defect) sum += defect;
   return sum;
 }
 

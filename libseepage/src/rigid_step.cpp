@@ -20,17 +20,18 @@ constexpr double nothing = 1.0e-3;  // over the tolerance
 
 }  // namespace
 
-// matrix_ = storage + t L / gamma_w, and unless the permeability is lagged what changes with it, with the rows and
-// columns of held particles taken out. The pattern is that of the neighbours, filled in place while they stay the same.
+// assembled_.matrix = storage + t L / gamma_w, and unless the permeability is lagged what changes with it, with the
+// rows and columns of held particles taken out. The pattern is that of the neighbours, filled in place while they stay
+// the same.
 void PoreFlow::assemble(double time_step, bool lagged) {
   const double flow_scale = time_step / water_.unit_weight();
   const Neighbours& neighbours = operator_.neighbours();
-  const std::size_t n = pressure_.size();
-  if (!pattern_known_) {
-    matrix_.resize(static_cast<Eigen::Index>(n), static_cast<Eigen::Index>(n));
-    matrix_.resizeNonZeros(static_cast<Eigen::Index>(n + neighbours.index.size()));
-    auto* outer = matrix_.outerIndexPtr();
-    auto* inner = matrix_.innerIndexPtr();
+  const std::size_t n = state_.pressure.size();
+  if (!assembled_.pattern_known) {
+    assembled_.matrix.resize(static_cast<Eigen::Index>(n), static_cast<Eigen::Index>(n));
+    assembled_.matrix.resizeNonZeros(static_cast<Eigen::Index>(n + neighbours.index.size()));
+    auto* outer = assembled_.matrix.outerIndexPtr();
+    auto* inner = assembled_.matrix.innerIndexPtr();
     std::size_t k = 0;
     for (std::size_t p = 0; p < n; ++p) {
       outer[p] = static_cast<int>(k);
@@ -47,8 +48,8 @@ void PoreFlow::assemble(double time_step, bool lagged) {
     outer[n] = static_cast<int>(k);
   }
   const std::span<const double> conductance = operator_.conductance();
-  double* value = matrix_.valuePtr();
-  const auto* inner = matrix_.innerIndexPtr();
+  double* value = assembled_.matrix.valuePtr();
+  const auto* inner = assembled_.matrix.innerIndexPtr();
   std::size_t k = 0, s = 0;
   for (std::size_t p = 0; p < n; ++p) {
     const double slope = lagged || is_held_[p] != 0 ? 0.0 : conductivity_slope(p);
@@ -69,7 +70,7 @@ void PoreFlow::assemble(double time_step, bool lagged) {
     }
     *diagonal = own;
   }
-  pattern_known_ = true;
+  assembled_.pattern_known = true;
 }
 
 // The water that each particle lacks at the present pressure, right_side_ (m2), and storage_ of the step's equations
@@ -80,10 +81,11 @@ double PoreFlow::find_imbalance(double time_step, const Skeleton& skeleton, cons
   find_head(skeleton);
   operator_.set_conductivity(conductivity_, pressure_head_, potential_);
   operator_.apply(head_, outflow_);
-  for (std::size_t p = 0; p < pressure_.size(); ++p) {
-    storage_[p] = skeleton.volume[p] * skeleton.porosity[p] *
-                  (saturation_[p] / water_.bulk_modulus + capacity_[p] * (1.0 + pressure_[p] / water_.bulk_modulus));
-    right_side_[p] = content_[p] + defect_[p] - water_of(p, skeleton) - time_step * outflow_[p];
+  for (std::size_t p = 0; p < state_.pressure.size(); ++p) {
+    storage_[p] =
+        skeleton.volume[p] * skeleton.porosity[p] *
+        (saturation_[p] / water_.bulk_modulus + capacity_[p] * (1.0 + state_.pressure[p] / water_.bulk_modulus));
+    right_side_[p] = state_.content[p] + state_.defect[p] - water_of(p, skeleton) - time_step * outflow_[p];
   }
   for (const FacePressure& face : boundary.faces) {
     storage_[face.particle] += flow_scale * face_law(face).conductance;
@@ -102,7 +104,7 @@ double PoreFlow::find_imbalance(double time_step, const Skeleton& skeleton, cons
     right_side_[p] += time_step * open_laws_[k].inflow(open_parts_[k], head_[p]);
   }
   double sum = 0.0, flows = 0.0;
-  for (std::size_t p = 0; p < pressure_.size(); ++p) {
+  for (std::size_t p = 0; p < state_.pressure.size(); ++p) {
     sum += is_held_[p] != 0 ? 0.0 : right_side_[p] * right_side_[p];
     const double flow = time_step * operator_.diagonal()[p] * head_[p];
     flows += flow * flow;
@@ -129,24 +131,24 @@ void PoreFlow::add_face_slopes(double time_step, const Boundary& boundary) {
 // Solves for the pressures' next step, work_ (Pa). @return whether there is one.
 bool PoreFlow::find_pressure_step(double time_step, const Boundary& boundary, bool lagged) {
   if (!lagged) add_face_slopes(time_step, boundary);
-  Eigen::VectorXd b(static_cast<Eigen::Index>(pressure_.size()));
-  for (std::size_t p = 0; p < pressure_.size(); ++p) {
+  Eigen::VectorXd b(static_cast<Eigen::Index>(state_.pressure.size()));
+  for (std::size_t p = 0; p < state_.pressure.size(); ++p) {
     b[static_cast<Eigen::Index>(p)] = is_held_[p] != 0 ? 0.0 : right_side_[p];
   }
-  const bool new_pattern = !pattern_known_;
+  const bool new_pattern = !assembled_.pattern_known;
   assemble(time_step, lagged);
   Eigen::VectorXd solution;
   if (lagged) {
-    if (new_pattern) lagged_factorisation_.analyzePattern(matrix_);
-    lagged_factorisation_.factorize(matrix_);
-    if (lagged_factorisation_.info() != Eigen::Success) return false;
-    solution = lagged_factorisation_.solve(b);
+    if (new_pattern) assembled_.lagged_factorisation.analyzePattern(assembled_.matrix);
+    assembled_.lagged_factorisation.factorize(assembled_.matrix);
+    if (assembled_.lagged_factorisation.info() != Eigen::Success) return false;
+    solution = assembled_.lagged_factorisation.solve(b);
   } else {
-    if (!ordering_known_) factorisation_.analyzePattern(matrix_);
-    ordering_known_ = true;
-    factorisation_.factorize(matrix_);
-    if (factorisation_.info() != Eigen::Success) return false;
-    solution = factorisation_.solve(b);
+    if (!assembled_.ordering_known) assembled_.factorisation.analyzePattern(assembled_.matrix);
+    assembled_.ordering_known = true;
+    assembled_.factorisation.factorize(assembled_.matrix);
+    if (assembled_.factorisation.info() != Eigen::Success) return false;
+    solution = assembled_.factorisation.solve(b);
   }
   std::copy(solution.begin(), solution.end(), work_.begin());
   return solution.allFinite();
@@ -162,17 +164,17 @@ double PoreFlow::stepped(std::size_t p, double pressure, double step) const {
 
 SolveReport PoreFlow::advance(double time_step, const Skeleton& skeleton, const Boundary& boundary,
                               double tolerance_pressure, int maximum_iterations) {
-  const std::size_t n = pressure_.size();
+  const std::size_t n = state_.pressure.size();
   follow(skeleton);
-  const std::vector<double> start = pressure_;
+  const std::vector<double> start = state_.pressure;
   std::fill(is_held_.begin(), is_held_.end(), std::uint8_t{0});
   for (const HeldPressure& held : boundary.held) {
     is_held_[held.particle] = 1;
-    pressure_[held.particle] = held.pressure;
+    state_.pressure[held.particle] = held.pressure;
   }
   evaluate_soil();
   const auto go_to = [&](const std::vector<double>& pressure, double share) {
-    for (std::size_t p = 0; p < n; ++p) pressure_[p] = stepped(p, pressure[p], share * work_[p]);
+    for (std::size_t p = 0; p < n; ++p) state_.pressure[p] = stepped(p, pressure[p], share * work_[p]);
     evaluate_soil();
     return find_imbalance(time_step, skeleton, boundary);
   };
@@ -180,7 +182,7 @@ SolveReport PoreFlow::advance(double time_step, const Skeleton& skeleton, const 
   SolveReport report;
   report.converged = false;
   double imbalance = find_imbalance(time_step, skeleton, boundary);
-  std::vector<double> here = pressure_, best = pressure_;
+  std::vector<double> here = state_.pressure, best = state_.pressure;
   double least_imbalance = imbalance, last_step = 0.0;  // (m2, Pa)
   while (!report.converged && report.iterations < maximum_iterations) {
     const bool lagged = report.iterations < lagged_iterations;
@@ -192,12 +194,12 @@ SolveReport PoreFlow::advance(double time_step, const Skeleton& skeleton, const 
     const bool settles = !lagged || largest <= lagged_reduction * last_step || largest <= nothing * tolerance_pressure;
     report.converged = largest <= tolerance_pressure && settles;
     last_step = largest;
-    here = pressure_;
+    here = state_.pressure;
     const double before = imbalance;
     imbalance = go_to(here, 1.0);
     if (lagged && imbalance < least_imbalance) {
       least_imbalance = imbalance;
-      best = pressure_;
+      best = state_.pressure;
     }
     for (double share = 0.5;
          !lagged && !report.converged && imbalance >= before && imbalance > rounding_ && share >= least_share;
@@ -206,13 +208,13 @@ SolveReport PoreFlow::advance(double time_step, const Skeleton& skeleton, const 
     }
   }
   if (!report.converged) {
-    pressure_ = start;
+    state_.pressure = start;
     std::fill(change_.begin(), change_.end(), 0.0);
     evaluate_soil();
     return report;
   }
   for (std::size_t p = 0; p < n; ++p) {
-    change_[p] = pressure_[p] - start[p];
+    change_[p] = state_.pressure[p] - start[p];
     report.largest_change = std::max(report.largest_change, std::abs(change_[p]));
   }
   latest_change_ = change_;

@@ -33,10 +33,11 @@ void MaterialPointMethod::find_friction_times() {
     const auto [least, largest] = std::ranges::minmax(place);
     return largest - least;
   };
-  if (particles_.size() == 0) return;
-  const double crossing = std::min(extent(particles_.x), extent(particles_.y)) / grid_.cell_size * stable_step(1.0, {});
-  whole_time_ = whole_crossings * crossing;
-  distribution_time_ = distribution_crossings * crossing;
+  if (state_.particles.size() == 0) return;
+  const double crossing =
+      std::min(extent(state_.particles.x), extent(state_.particles.y)) / grid_.cell_size * stable_step(1.0, {});
+  state_.whole_time = whole_crossings * crossing;
+  state_.distribution_time = distribution_crossings * crossing;
 }
 
 // What the nodes of the frictional walls see of the soil: how far it is, and the force of its pore water on the wall.
@@ -71,9 +72,9 @@ void MaterialPointMethod::look_at_soil(std::size_t first_node, std::span<const d
   const WallNode& first = wall_nodes_[first_node];
   const auto columns = std::size_t(grid_.node_columns());
   const bool base = first.normal == 1;
-  const std::vector<double>& place = base ? particles_.y : particles_.x;
-  const std::vector<double>& across = base ? particles_.eyy : particles_.exx;
-  const std::vector<double>& along = base ? particles_.exx : particles_.eyy;
+  const std::vector<double>& place = base ? state_.particles.y : state_.particles.x;
+  const std::vector<double>& across = base ? state_.particles.eyy : state_.particles.exx;
+  const std::vector<double>& along = base ? state_.particles.exx : state_.particles.eyy;
   const auto row_of = [&](std::size_t node) { return base ? node / columns : node % columns; };
   const auto number_of = [&](std::size_t node) { return base ? node % columns : node / columns; };
   const std::size_t on = row_of(first.on), outside = row_of(first.outside), before = number_of(grid_.node(-1, -1));
@@ -81,19 +82,19 @@ void MaterialPointMethod::look_at_soil(std::size_t first_node, std::span<const d
       first.inwards > 0.0 ? grid_.lower[std::size_t(first.normal)] : grid_.lower[0] + grid_.cell_size * grid_.columns;
   if (!pressure.empty()) {
     cell_means_.assign(grid_.cell_count(), {});
-    for (std::size_t p = 0; p < particles_.size(); ++p) {
-      const double volume = particles_.volume[p];
+    for (std::size_t p = 0; p < state_.particles.size(); ++p) {
+      const double volume = state_.particles.volume[p];
       CellMeans& cell = cell_means_[grid_cell_of_[p]];
       cell.volume += volume;
       cell.distance += volume * first.inwards * (place[p] - at);
       cell.pressure += volume * pressure[p];
     }
   }
-  for (std::size_t p = 0; p < particles_.size(); ++p) {
+  for (std::size_t p = 0; p < state_.particles.size(); ++p) {
     const double distance = first.inwards * (place[p] - at);
     if (distance > reach * grid_.cell_size) continue;
     const ParticleWeights& w = weights_[p];
-    const double volume = particles_.volume[p];
+    const double volume = state_.particles.volume[p];
     const double stretch = std::clamp(std::exp(0.5 * (across[p] - along[p])), 1.0 / largest_stretch, largest_stretch);
     const double gap = std::max(0.0, distance - (0.5 + skin) * std::sqrt(volume) * stretch);
     const double* value = base ? w.nx : w.ny;
@@ -124,31 +125,33 @@ void MaterialPointMethod::look_at_soil(std::size_t first_node, std::span<const d
 }
 
 // The normal force of a wall on a node.
-void MaterialPointMethod::press(WallNode& wall, double dt) {
+void MaterialPointMethod::press(const WallNode& wall, double dt) {
   Node& node = node_[wall.on];
   double& response = response_[wall.on][wall.normal];
-  wall.normal_force = 0.0;
+  double& normal_force = memory_of(wall).normal_force;
+  normal_force = 0.0;
   if (response == 0.0) return;
   const double mass = wall.mass[wall.normal];
   response = 1.0 / mass;
   if (wall.gap == untouched) return;
   const double leaves = wall.inwards * (node.momentum[wall.normal] / dt + node.force[wall.normal]);
-  wall.normal_force = std::max(0.0, -leaves - mass * wall.gap / (dt * dt));
-  node.force[wall.normal] += wall.inwards * wall.normal_force;
-  if (wall.normal_force > 0.0 && wall.gap == 0.0) response = 0.0;
+  normal_force = std::max(0.0, -leaves - mass * wall.gap / (dt * dt));
+  node.force[wall.normal] += wall.inwards * normal_force;
+  if (normal_force > 0.0 && wall.gap == 0.0) response = 0.0;
 }
 
 // The friction of a wall on a node stops it, as far as its limit allows.
-void MaterialPointMethod::rub(WallNode& wall, double limit, double dt) {
+void MaterialPointMethod::rub(const WallNode& wall, double limit, double dt) {
   const Eigen::Index along = 1 - wall.normal;
   Node& node = node_[wall.on];
   double& response = response_[wall.on][along];
-  wall.friction_force = 0.0;
+  double& friction_force = memory_of(wall).friction_force;
+  friction_force = 0.0;
   if (response == 0.0) return;
   const double stops = -(node.momentum[along] / dt + node.force[along]);
   const bool slides = std::abs(stops) > limit;
-  wall.friction_force = slides ? std::copysign(limit, stops) : stops;
-  node.force[along] += wall.friction_force;
+  friction_force = slides ? std::copysign(limit, stops) : stops;
+  node.force[along] += friction_force;
   response = slides ? 1.0 / wall.mass[along] : 0.0;
   // in a corner, the wall beside holds it too
   if ((node.momentum[along] + dt * node.force[along]) * wall.beside < 0.0) response = 0.0;
@@ -163,12 +166,12 @@ void MaterialPointMethod::resist_by_friction(double dt) {
     if (nodes.empty() || nodes.front().wall != Wall::friction) continue;
     // what friction has still to do for a node that the soil has just left is done beside it
     for (std::size_t i = 0; i < nodes.size(); ++i) {
-      WallNode& left = nodes[i];
-      if (has_soil(left)) continue;
+      if (has_soil(nodes[i])) continue;
+      WallState& left = memory_of(nodes[i]);
       const bool before = i > 0 && has_soil(nodes[i - 1]), after = i + 1 < nodes.size() && has_soil(nodes[i + 1]);
       const double part = before && after ? 0.5 : 1.0;
-      if (before) nodes[i - 1].felt += part * left.felt;
-      if (after) nodes[i + 1].felt += part * left.felt;
+      if (before) memory_of(nodes[i - 1]).felt += part * left.felt;
+      if (after) memory_of(nodes[i + 1]).felt += part * left.felt;
       left.normal_force = left.friction_force = left.felt = left.usual = 0.0;
     }
     for (std::size_t first = 0; first < nodes.size(); ++first) {
@@ -181,20 +184,21 @@ void MaterialPointMethod::resist_by_friction(double dt) {
 }
 
 void MaterialPointMethod::resist_by_friction(std::span<WallNode> stretch, double dt) {
-  const double whole_share = dt / (dt + whole_time_), distribution_share = dt / (dt + distribution_time_);
+  const double whole_share = dt / (dt + state_.whole_time), distribution_share = dt / (dt + state_.distribution_time);
   const bool touches = std::ranges::any_of(stretch, [](const WallNode& wall) { return wall.gap == 0.0; });
   double felt = 0.0, usual = 0.0;
   for (WallNode& wall : stretch) {
     press(wall, dt);
-    const double effective = wall.normal_force > 0.0 ? std::max(0.0, wall.normal_force - wall.water_force) : 0.0;
+    WallState& memory = memory_of(wall);
+    const double effective = memory.normal_force > 0.0 ? std::max(0.0, memory.normal_force - wall.water_force) : 0.0;
     // soil off the wall owes it the rest of the friction of its last impact
-    wall.felt += whole_share * (effective - (touches ? wall.felt : 0.0));
-    wall.usual += (wall.usual == 0.0 ? 1.0 : distribution_share) * (effective - wall.usual);
-    felt += wall.felt;
-    if (wall.gap == 0.0) usual += wall.usual;
+    memory.felt += whole_share * (effective - (touches ? memory.felt : 0.0));
+    memory.usual += (memory.usual == 0.0 ? 1.0 : distribution_share) * (effective - memory.usual);
+    felt += memory.felt;
+    if (wall.gap == 0.0) usual += memory.usual;
   }
   for (WallNode& wall : stretch) {
-    rub(wall, wall.gap == 0.0 && usual > 0.0 ? wall.friction * felt * wall.usual / usual : 0.0, dt);
+    rub(wall, wall.gap == 0.0 && usual > 0.0 ? wall.friction * felt * memory_of(wall).usual / usual : 0.0, dt);
   }
 }
 
@@ -209,8 +213,8 @@ std::vector<WallReaction> MaterialPointMethod::wall_reactions() const {
     if (wall.wall != Wall::friction) continue;
     reactions.push_back({.x = place(grid_.lower[0], wall.on % columns, corner % columns),
                          .y = place(grid_.lower[1], wall.on / columns, corner / columns),
-                         .normal = wall.normal_force,
-                         .friction = wall.friction_force});
+                         .normal = memory_of(wall).normal_force,
+                         .friction = memory_of(wall).friction_force});
   }
   return reactions;
 }

@@ -12,14 +12,14 @@ template <class Shape>
 void MaterialPointMethod::find_weights() {
   const double h = grid_.cell_size;
   const double inverse = 1.0 / h;
-  const std::size_t n = particles_.size();
+  const std::size_t n = state_.particles.size();
   std::size_t outside = n;
 #pragma omp parallel for schedule(static) num_threads(settings_.threads) if (settings_.threads > 1) \
     reduction(min                                                                                   \
               : outside)
   for (std::size_t p = 0; p < n; ++p) {
-    const double px = (particles_.x[p] - grid_.lower[0]) * inverse;
-    const double py = (particles_.y[p] - grid_.lower[1]) * inverse;
+    const double px = (state_.particles.x[p] - grid_.lower[0]) * inverse;
+    const double py = (state_.particles.y[p] - grid_.lower[1]) * inverse;
     if (!(px >= 0.0 && px < grid_.columns && py >= 0.0 && py < grid_.rows)) {
       outside = std::min(outside, p);
       continue;
@@ -43,11 +43,11 @@ void MaterialPointMethod::find_weights() {
     grid_cell_of_[p] = std::size_t(row) * std::size_t(grid_.columns) + std::size_t(column);
   }
   if (outside == n) return;
-  const double x = particles_.x[outside] - grid_.lower[0];
+  const double x = state_.particles.x[outside] - grid_.lower[0];
   if (!(x >= 0.0 && x * inverse < grid_.columns)) {
-    throw SolidError(outside, "x position (m), outside of the grid,", particles_.x[outside]);
+    throw SolidError(outside, "x position (m), outside of the grid,", state_.particles.x[outside]);
   }
-  throw SolidError(outside, "y position (m), outside of the grid,", particles_.y[outside]);
+  throw SolidError(outside, "y position (m), outside of the grid,", state_.particles.y[outside]);
 }
 
 template void MaterialPointMethod::find_weights<QuadraticBSpline>();
@@ -67,7 +67,7 @@ void MaterialPointMethod::add_tractions(std::span<const ParticleTraction> tracti
     const double ny = distance > 0.0 ? traction.face_y / distance : 0.0;
     find_strip(traction, nx, ny, depth_in_cells * grid_.cell_size);
     double depth = 0.0;
-    for (const Behind& q : strip_) depth += particles_.volume[q.particle] / spacing;
+    for (const Behind& q : strip_) depth += state_.particles.volume[q.particle] / spacing;
     const auto fade = [depth](double behind) {
       const double t = std::clamp(behind / depth, 0.0, 1.0);
       return 1.0 - t * t * (3.0 - 2.0 * t);
@@ -75,14 +75,14 @@ void MaterialPointMethod::add_tractions(std::span<const ParticleTraction> tracti
     // what w falls by over a particle's height is its share of the load
     double sum = 0.0;
     for (Behind& q : strip_) {
-      const double half = 0.5 * particles_.volume[q.particle] / spacing;
+      const double half = 0.5 * state_.particles.volume[q.particle] / spacing;
       q.share = strip_.size() == 1 ? 1.0 : fade(q.distance - half) - fade(q.distance + half);
       sum += q.share;
     }
     const Eigen::Array2d force = spacing * Eigen::Array2d(traction.x, traction.y);
     for (const Behind& q : strip_) {
       const ParticleWeights& w = weights_[q.particle];
-      const double height = particles_.volume[q.particle] / spacing * fade(q.distance);
+      const double height = state_.particles.volume[q.particle] / spacing * fade(q.distance);
       for (std::size_t b = 0; b < 3; ++b) {
         for (std::size_t a = 0; a < 3; ++a) {
           const double slope = nx * w.gx[a] * w.ny[b] + ny * w.nx[a] * w.gy[b];
@@ -98,8 +98,8 @@ void MaterialPointMethod::add_tractions(std::span<const ParticleTraction> tracti
 void MaterialPointMethod::find_strip(const ParticleTraction& traction, double nx, double ny, double limit) {
   strip_.clear();
   const double spacing = settings_.particle_spacing;
-  const double x = particles_.x[traction.particle] + traction.face_x;
-  const double y = particles_.y[traction.particle] + traction.face_y;
+  const double x = state_.particles.x[traction.particle] + traction.face_x;
+  const double y = state_.particles.y[traction.particle] + traction.face_y;
   strip_.push_back({traction.particle, std::hypot(traction.face_x, traction.face_y), 0.0});
   if (nx == 0.0 && ny == 0.0) return;
   const double half = 0.5 * spacing * (1.0 - 1.0e-6);
@@ -118,7 +118,7 @@ void MaterialPointMethod::find_strip(const ParticleTraction& traction, double nx
       for (std::size_t s = cell == 0 ? 0 : cell_start_[cell - 1]; s < cell_start_[cell]; ++s) {
         const std::size_t p = cell_particles_[s];
         if (p == traction.particle) continue;
-        const double dx = x - particles_.x[p], dy = y - particles_.y[p];
+        const double dx = x - state_.particles.x[p], dy = y - state_.particles.y[p];
         const double behind = nx * dx + ny * dy;
         if (behind > 0.0 && behind < limit && std::abs(ny * dx - nx * dy) < half) strip_.push_back({p, behind, 0.0});
       }
@@ -160,22 +160,22 @@ void MaterialPointMethod::scatter(const PoreState& pore, const SurfacePressure& 
     for (std::size_t s = cells_[c].particle; s < cells_[c + 1].particle; ++s) {
       const std::size_t p = cell_particles_[s];
       const ParticleWeights w = weights_[p];
-      const double mass = particles_.solid_mass[p] + (pore.water_mass.empty() ? 0.0 : pore.water_mass[p]);
+      const double mass = state_.particles.solid_mass[p] + (pore.water_mass.empty() ? 0.0 : pore.water_mass[p]);
       mass_[p] = mass;
-      const double volume = particles_.volume[p];
+      const double volume = state_.particles.volume[p];
       // momentum at node (a, b): corner + a along_row + b along_column
-      Array2d corner = mass * Array2d(particles_.vx[p], particles_.vy[p]);
+      Array2d corner = mass * Array2d(state_.particles.vx[p], state_.particles.vy[p]);
       Array2d along_row = Array2d::Zero(), along_column = Array2d::Zero();
       if (affine) {
-        const Array2d cx = mass * Array2d(particles_.cxx[p], particles_.cyx[p]);
-        const Array2d cy = mass * Array2d(particles_.cxy[p], particles_.cyy[p]);
+        const Array2d cx = mass * Array2d(state_.particles.cxx[p], state_.particles.cyx[p]);
+        const Array2d cy = mass * Array2d(state_.particles.cxy[p], state_.particles.cyy[p]);
         corner += cx * w.dx + cy * w.dy;
         along_row = h * cx;
         along_column = h * cy;
       }
       const double pressure = own_pressure ? pore.pressure[p] : 0.0;
-      const Array2d stress_x = -volume * Array2d(particles_.sxx[p] - pressure, particles_.sxy[p]);
-      const Array2d stress_y = -volume * Array2d(particles_.sxy[p], particles_.syy[p] - pressure);
+      const Array2d stress_x = -volume * Array2d(state_.particles.sxx[p] - pressure, state_.particles.sxy[p]);
+      const Array2d stress_y = -volume * Array2d(state_.particles.sxy[p], state_.particles.syy[p] - pressure);
       Array2d weight = mass * acceleration;
       if (!surface.pressure.empty()) weight -= volume * Array2d(surface.gradient_x[p], surface.gradient_y[p]);
       Node* row = node_.data() + w.node;
@@ -204,7 +204,7 @@ void MaterialPointMethod::gather(double dt, const StepMode& mode) {
   const bool linear = settings_.shape_function == ShapeFunction::linear;
   const double flip = settings_.flip_fraction;
 #pragma omp parallel for schedule(static) num_threads(settings_.threads) if (settings_.threads > 1)
-  for (std::size_t p = 0; p < particles_.size(); ++p) {
+  for (std::size_t p = 0; p < state_.particles.size(); ++p) {
     const ParticleWeights& w = weights_[p];
     Array2d velocity = Array2d::Zero(), change = Array2d::Zero();
     Array2d moment_x = Array2d::Zero(), moment_y = Array2d::Zero();
@@ -227,23 +227,23 @@ void MaterialPointMethod::gather(double dt, const StepMode& mode) {
     }
     velocity_gradient_[p] = {gradient_x.x(), gradient_y.x(), gradient_x.y(), gradient_y.y()};
     if constexpr (affine) {
-      particles_.vx[p] = velocity.x();
-      particles_.vy[p] = velocity.y();
+      state_.particles.vx[p] = velocity.x();
+      state_.particles.vy[p] = velocity.y();
       if (!linear) {
-        particles_.cxx[p] = affine_scale * moment_x.x();
-        particles_.cyx[p] = affine_scale * moment_x.y();
-        particles_.cxy[p] = affine_scale * moment_y.x();
-        particles_.cyy[p] = affine_scale * moment_y.y();
+        state_.particles.cxx[p] = affine_scale * moment_x.x();
+        state_.particles.cyx[p] = affine_scale * moment_x.y();
+        state_.particles.cxy[p] = affine_scale * moment_y.x();
+        state_.particles.cyy[p] = affine_scale * moment_y.y();
       }
     } else {
-      particles_.vx[p] = flip * (particles_.vx[p] + change.x()) + (1.0 - flip) * velocity.x();
-      particles_.vy[p] = flip * (particles_.vy[p] + change.y()) + (1.0 - flip) * velocity.y();
+      state_.particles.vx[p] = flip * (state_.particles.vx[p] + change.x()) + (1.0 - flip) * velocity.x();
+      state_.particles.vy[p] = flip * (state_.particles.vy[p] + change.y()) + (1.0 - flip) * velocity.y();
     }
     if (mode.moves) {
-      particles_.x[p] += dt * velocity.x();
-      particles_.y[p] += dt * velocity.y();
-      particles_.ux[p] += dt * velocity.x();
-      particles_.uy[p] += dt * velocity.y();
+      state_.particles.x[p] += dt * velocity.x();
+      state_.particles.y[p] += dt * velocity.y();
+      state_.particles.ux[p] += dt * velocity.x();
+      state_.particles.uy[p] += dt * velocity.y();
     }
   }
 }
@@ -264,7 +264,7 @@ void MaterialPointMethod::remap_velocity() {
     for (std::size_t s = cells_[c].particle; s < cells_[c + 1].particle; ++s) {
       const std::size_t p = cell_particles_[s];
       const ParticleWeights& w = weights_[p];
-      const Array2d momentum = mass_[p] * Array2d(particles_.vx[p], particles_.vy[p]);
+      const Array2d momentum = mass_[p] * Array2d(state_.particles.vx[p], state_.particles.vy[p]);
       for (std::size_t b = 0; b < 2; ++b) {
         for (std::size_t a = 0; a < 2; ++a) velocity_[w.node + b * columns + a] += w.nx[a] * w.ny[b] * momentum;
       }
@@ -274,7 +274,7 @@ void MaterialPointMethod::remap_velocity() {
     velocity_[i] = (response_[i] > 0.0).select(velocity_[i] / node_[i].mass, 0.0);
   }
 #pragma omp parallel for schedule(static) num_threads(settings_.threads) if (settings_.threads > 1)
-  for (std::size_t p = 0; p < particles_.size(); ++p) {
+  for (std::size_t p = 0; p < state_.particles.size(); ++p) {
     const ParticleWeights& w = weights_[p];
     const Array2d* v = velocity_.data() + w.node;
     const Array2d* above = v + columns;
@@ -282,10 +282,10 @@ void MaterialPointMethod::remap_velocity() {
     const Array2d y = w.gy[0] * (w.nx[0] * v[0] + w.nx[1] * v[1]) + w.gy[1] * (w.nx[0] * above[0] + w.nx[1] * above[1]);
     velocity_gradient_[p] = {x.x(), y.x(), x.y(), y.y()};
     if (affine) {
-      particles_.cxx[p] = x.x();
-      particles_.cyx[p] = x.y();
-      particles_.cxy[p] = y.x();
-      particles_.cyy[p] = y.y();
+      state_.particles.cxx[p] = x.x();
+      state_.particles.cyx[p] = x.y();
+      state_.particles.cxy[p] = y.x();
+      state_.particles.cyy[p] = y.y();
     }
   }
 }

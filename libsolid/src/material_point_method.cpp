@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "pair.hpp"
 #include "slope/solid/shape_function.hpp"
 
 namespace slope::solid {
@@ -17,6 +18,13 @@ void require(bool holds, const char* message) {
   if (!holds) throw std::invalid_argument(message);
 }
 
+void check_particles(const Particles& particles, std::size_t soils) {
+  Particles::for_each_field(particles, [&](const char* /*name*/, const auto& field) {
+    require(field.size() == particles.size(), "the particles' arrays differ in length");
+  });
+  for (const std::uint16_t soil : particles.soil) require(soil < soils, "a particle names a soil that is not there");
+}
+
 }  // namespace
 
 SolidError::SolidError(std::size_t at, const std::string& name, double bad)
@@ -27,43 +35,20 @@ SolidError::SolidError(std::size_t at, const std::string& name, double bad)
 
 MaterialPointMethod::MaterialPointMethod(const Grid& grid, std::vector<Soil> soils, Particles particles,
                                          const Settings& settings)
-    : grid_(grid), soils_(std::move(soils)), particles_(std::move(particles)), settings_(settings) {
+    : grid_(grid), soils_(std::move(soils)), settings_(settings) {
+  state_.particles = std::move(particles);
   require(grid_.cell_size > 0.0 && grid_.columns > 0 && grid_.rows > 0, "the grid has no cells");
   require(settings_.threads > 0, "there must be a thread at least");
   require(settings_.flip_fraction <= 1.0, "the share of FLIP is above one");
   const Walls& walls = grid_.walls;
   const bool absorbs = walls.left == Wall::absorbing || walls.right == Wall::absorbing || walls.base == Wall::absorbing;
   require(!absorbs || walls.absorbing_depth > 0.0, "absorbing walls need a depth");
-  const std::size_t n = particles_.size();
-  const Particles& p = particles_;
-  for (const auto* field : {&p.y,
-                            &p.ux,
-                            &p.uy,
-                            &p.vx,
-                            &p.vy,
-                            &p.cxx,
-                            &p.cxy,
-                            &p.cyx,
-                            &p.cyy,
-                            &p.sxx,
-                            &p.syy,
-                            &p.szz,
-                            &p.sxy,
-                            &p.exx,
-                            &p.eyy,
-                            &p.exy,
-                            &p.plastic_strain,
-                            &p.volume,
-                            &p.solid_mass,
-                            &p.porosity}) {
-    require(field->size() == n, "the particles' arrays differ in length");
-  }
-  require(p.soil.size() == n, "the particles' arrays differ in length");
-  for (const std::uint16_t soil : p.soil) require(soil < soils_.size(), "a particle names a soil that is not there");
+  check_particles(state_.particles, soils_.size());
 
   for (const Soil& soil : soils_) materials_.emplace_back(soil, grid_.cell_size);
   find_wall_nodes();
   find_friction_times();
+  const std::size_t n = state_.particles.size();
   weights_.resize(n);
   grid_cell_of_.resize(n);
   hat_weights_.resize(n);
@@ -79,19 +64,26 @@ MaterialPointMethod::MaterialPointMethod(const Grid& grid, std::vector<Soil> soi
   }
 }
 
+void MaterialPointMethod::set_state(State state) {
+  check_particles(state.particles, soils_.size());
+  require(state.particles.size() == state_.particles.size(), "the state has another number of particles");
+  require(state.walls.size() == state_.walls.size(), "the state has another number of wall nodes");
+  state_ = std::move(state);
+}
+
 double MaterialPointMethod::stable_step(double courant_number, std::span<const double> water_mass) const {
   double fastest = 0.0;
-  for (std::size_t p = 0; p < particles_.size(); ++p) {
-    const double mass = particles_.solid_mass[p] + (water_mass.empty() ? 0.0 : water_mass[p]);
-    const double modulus = soils_[particles_.soil[p]].elastic.constrained_modulus();
-    fastest = std::max(fastest, modulus * particles_.volume[p] / mass);
+  for (std::size_t p = 0; p < state_.particles.size(); ++p) {
+    const double mass = state_.particles.solid_mass[p] + (water_mass.empty() ? 0.0 : water_mass[p]);
+    const double modulus = soils_[state_.particles.soil[p]].elastic.constrained_modulus();
+    fastest = std::max(fastest, modulus * state_.particles.volume[p] / mass);
   }
   return courant_number * grid_.cell_size / std::sqrt(fastest);
 }
 
 void MaterialPointMethod::stop() {
-  for (auto* field :
-       {&particles_.vx, &particles_.vy, &particles_.cxx, &particles_.cxy, &particles_.cyx, &particles_.cyy}) {
+  for (auto* field : {&state_.particles.vx, &state_.particles.vy, &state_.particles.cxx, &state_.particles.cxy,
+                      &state_.particles.cyx, &state_.particles.cyy}) {
     std::fill(field->begin(), field->end(), 0.0);
   }
 }
@@ -122,7 +114,7 @@ void MaterialPointMethod::predict(double dt, const PoreState& pore, std::span<co
 // The pore state with the pressure on the surface taken off its pressure.
 PoreState MaterialPointMethod::less_outside(const PoreState& pore, const SurfacePressure& surface) {
   if (surface.pressure.empty()) return pore;
-  excess_.assign(particles_.size(), 0.0);
+  excess_.assign(state_.particles.size(), 0.0);
   for (std::size_t p = 0; p < excess_.size(); ++p) {
     excess_[p] = (pore.pressure.empty() ? 0.0 : pore.pressure[p]) - surface.pressure[p];
   }
@@ -133,9 +125,9 @@ void MaterialPointMethod::update_velocity(double dt, double damping) {
   double heaviest = 0.0;
   for (const Node& node : node_) heaviest = std::max(heaviest, node.mass);
   const double slow_down = 1.0 / (1.0 + damping * dt);
-  balance_ = {};
+  state_.balance = {};
   for (std::size_t i = 0; i < node_.size(); ++i) {
-    balance_.weight += node_[i].mass * settings_.gravity;
+    state_.balance.weight += node_[i].mass * settings_.gravity;
     response_[i] = node_[i].mass > lightest_node * heaviest ? 1.0 / node_[i].mass : 0.0;
   }
   hold_walls();
@@ -146,15 +138,15 @@ void MaterialPointMethod::update_velocity(double dt, double damping) {
     old_velocity_[i] = node.momentum * inverse_mass;
     response_[i] = inverse_mass * slow_down;
     velocity_[i] = (node.momentum + dt * node.force) * response_[i];
-    balance_.kinetic_energy += 0.5 * (node.momentum * old_velocity_[i]).sum();
-    balance_.unbalanced_force += (inverse_mass > 0.0).select(node.force.abs(), 0.0).sum();
+    state_.balance.kinetic_energy += 0.5 * (node.momentum * old_velocity_[i]).sum();
+    state_.balance.unbalanced_force += (inverse_mass > 0.0).select(node.force.abs(), 0.0).sum();
   }
 }
 
 void MaterialPointMethod::advance(double dt, std::span<const double> suction, const StepMode& mode) {
   unfold_walls();
-  if (walls_released_ && mode.moves) {
-    for (WallNode& wall : wall_nodes_) wall.displacement += dt * velocity_[wall.on];
+  if (state_.walls_released && mode.moves) {
+    for (const WallNode& wall : wall_nodes_) pair(memory_of(wall).displacement) += dt * velocity_[wall.on];
   }
   if (settings_.flip_fraction < 0.0) {
     gather<true>(dt, mode);
@@ -167,8 +159,8 @@ void MaterialPointMethod::advance(double dt, std::span<const double> suction, co
 }
 
 void MaterialPointMethod::check() const {
-  const std::size_t n = particles_.size();
-  const Particles& f = particles_;
+  const std::size_t n = state_.particles.size();
+  const Particles& f = state_.particles;
   const auto velocity = [&f](std::size_t p) { return f.vx[p] + f.vy[p]; };
   const auto stress = [&f](std::size_t p) { return f.sxx[p] + f.syy[p] + f.szz[p] + f.sxy[p]; };
   std::size_t bad = 0;

@@ -7,16 +7,12 @@ Particles Particles::at(std::span<const double> x, std::span<const double> y, st
                         std::span<const double> grain_density) {
   const std::size_t n = x.size();
   Particles p;
+  for_each_field(p, [n](const char* /*name*/, auto& field) { field.resize(n); });
   p.x.assign(x.begin(), x.end());
   p.y.assign(y.begin(), y.end());
   p.volume.assign(volume.begin(), volume.end());
   p.porosity.assign(porosity.begin(), porosity.end());
   p.soil.assign(soil_index.begin(), soil_index.end());
-  for (auto* field : {&p.ux, &p.uy, &p.vx, &p.vy, &p.cxx, &p.cxy, &p.cyx, &p.cyy, &p.sxx, &p.syy, &p.szz, &p.sxy,
-                      &p.exx, &p.eyy, &p.exy, &p.plastic_strain}) {
-    field->assign(n, 0.0);
-  }
-  p.solid_mass.resize(n);
   for (std::size_t i = 0; i < n; ++i) {
     p.solid_mass[i] = (1.0 - porosity[i]) * grain_density[soil_index[i]] * volume[i];
   }

@@ -64,7 +64,7 @@ void MaterialPointMethod::find_hats() {
       for (std::size_t k = 0; k < 4; ++k) {
         const std::size_t right = k % 2, up = k / 2;
         Hat& hat = hats_[hat_at_[corner + right + up * columns]];
-        const double v = particles_.volume[p] * hat_weights_[p].value[k];
+        const double v = state_.particles.volume[p] * hat_weights_[p].value[k];
         hat.volume += v;
         Eigen::Array2d* row = hat.gradient.data() + (first - right - 5 * up);
         for (std::size_t b = 0; b < 3; ++b, row += 5) {
@@ -93,7 +93,7 @@ void MaterialPointMethod::find_pressure_force(std::span<const double> q) const {
     for (std::size_t s = cells_[c].particle; s < cells_[c + 1].particle; ++s) {
       const std::size_t p = cell_particles_[s];
       const std::array<double, 4>& n = hat_weights_[p].value;
-      const double vq = particles_.volume[p] * q[p];
+      const double vq = state_.particles.volume[p] * q[p];
       lower[0] += n[0] * vq;
       lower[1] += n[1] * vq;
       upper[0] += n[2] * vq;
@@ -146,7 +146,7 @@ void MaterialPointMethod::volume_response(double dt, std::span<const double> q, 
   const double scale = dt * dt;
 #pragma omp parallel for schedule(static) num_threads(settings_.threads) if (settings_.threads > 1)
   for (std::size_t p = 0; p < volume_change.size(); ++p) {
-    volume_change[p] = scale * particles_.volume[p] * from_hats(p);
+    volume_change[p] = scale * state_.particles.volume[p] * from_hats(p);
   }
 }
 
@@ -163,7 +163,7 @@ void MaterialPointMethod::volume_response_diagonal(double dt, std::span<double> 
     hat_value_[hat.node] = dt * dt * sum.sum();
   }
   for (std::size_t p = 0; p < diagonal.size(); ++p) {
-    diagonal[p] = particles_.volume[p] * particles_.volume[p] * from_hats(p);
+    diagonal[p] = state_.particles.volume[p] * state_.particles.volume[p] * from_hats(p);
   }
 }
 

@@ -36,45 +36,45 @@ MaterialPointMethod::Material::Material(const Soil& soil, double cell_size)
 void MaterialPointMethod::update_stress(double dt, std::span<const double> suction, const StepMode& mode) {
   if (settings_.averages_pressure) find_hat_divergence(velocity_);
 #pragma omp parallel for schedule(static) num_threads(settings_.threads) if (settings_.threads > 1)
-  for (std::size_t p = 0; p < particles_.size(); ++p) {
-    const Material& material = materials_[particles_.soil[p]];
+  for (std::size_t p = 0; p < state_.particles.size(); ++p) {
+    const Material& material = materials_[state_.particles.soil[p]];
     const auto [vx_x, vx_y, vy_x, vy_y] = velocity_gradient_[p];
     const double dxx = dt * vx_x;
     const double dyy = dt * vy_y;
     const double dxy = 0.5 * dt * (vx_y + vy_x);
     const double spin = 0.5 * dt * (vx_y - vy_x);
     if (mode.accumulates_strain) {
-      particles_.exx[p] += dxx;
-      particles_.eyy[p] += dyy;
-      particles_.exy[p] += dxy;
+      state_.particles.exx[p] += dxx;
+      state_.particles.eyy[p] += dyy;
+      state_.particles.exy[p] += dxy;
     }
     const double strain = settings_.averages_pressure ? dt * from_hats(p) : dxx + dyy;
     if (mode.moves) {
-      particles_.volume[p] *= 1.0 + strain;
-      particles_.porosity[p] = 1.0 - (1.0 - particles_.porosity[p]) / (1.0 + strain);
+      state_.particles.volume[p] *= 1.0 + strain;
+      state_.particles.porosity[p] = 1.0 - (1.0 - state_.particles.porosity[p]) / (1.0 + strain);
     }
     // the volumetric strain that the stress sees is the projected one, the shear strain is the particle's own
     const double half_excess = 0.5 * (strain - dxx - dyy);
     const double stretch_x = 2.0 * material.shear * (dxx + half_excess);
     const double stretch_y = 2.0 * material.shear * (dyy + half_excess);
     // Jaumann rate
-    const double sxx = particles_.sxx[p], syy = particles_.syy[p], sxy = particles_.sxy[p];
+    const double sxx = state_.particles.sxx[p], syy = state_.particles.syy[p], sxy = state_.particles.sxy[p];
     const double volumetric = material.lame * strain;
     SymmetricTensor stress{sxx + 2.0 * spin * sxy + volumetric + stretch_x,
-                           syy - 2.0 * spin * sxy + volumetric + stretch_y, particles_.szz[p] + volumetric,
+                           syy - 2.0 * spin * sxy + volumetric + stretch_y, state_.particles.szz[p] + volumetric,
                            sxy + spin * (syy - sxx) + 2.0 * material.shear * dxy};
     if (mode.yields) {
       const SymmetricTensor trial = stress;
-      const Yielding yielding{suction.empty() ? 0.0 : suction[p], particles_.plastic_strain[p], material.elastic,
+      const Yielding yielding{suction.empty() ? 0.0 : suction[p], state_.particles.plastic_strain[p], material.elastic,
                               stress};
       if (std::visit(yielding, material.strength) && mode.accumulates_strain) {
-        particles_.plastic_strain[p] += plastic_increment(trial, stress, material.shear);
+        state_.particles.plastic_strain[p] += plastic_increment(trial, stress, material.shear);
       }
     }
-    particles_.sxx[p] = stress.xx;
-    particles_.syy[p] = stress.yy;
-    particles_.szz[p] = stress.zz;
-    particles_.sxy[p] = stress.xy;
+    state_.particles.sxx[p] = stress.xx;
+    state_.particles.syy[p] = stress.yy;
+    state_.particles.szz[p] = stress.zz;
+    state_.particles.sxy[p] = stress.xy;
   }
 }
 

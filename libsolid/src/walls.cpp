@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pair.hpp"
 #include "slope/solid/material_point_method.hpp"
 
 namespace slope::solid {
@@ -91,10 +92,12 @@ void MaterialPointMethod::find_wall_nodes() {
       node.inwards = side.inwards;
       node.wall = side.wall;
       node.friction = side.friction;
+      node.number = wall_nodes_.size();
       wall_nodes_.push_back(node);
     });
     first_wall_node_[number + 1] = wall_nodes_.size();
   }
+  state_.walls.resize(wall_nodes_.size());
   for (WallNode& wall : wall_nodes_) {
     if (wall.normal != 1) continue;
     if (wall.on == grid_.node(0, 0) && grid_.walls.left == Wall::friction) wall.beside = 1.0;
@@ -108,7 +111,7 @@ void MaterialPointMethod::find_wall_nodes() {
 void MaterialPointMethod::fold_walls() {
   for (std::size_t side = 0; side < base_side; ++side) {
     const std::size_t above = first_wall_node_[side];
-    corner_off_[side] = above < first_wall_node_[side + 1] && wall_nodes_[above].normal_force == 0.0;
+    corner_off_[side] = above < first_wall_node_[side + 1] && state_.walls[above].normal_force == 0.0;
   }
   for_each_image(grid_, [&](const Side& side, const Image& image) {
     if (image.moving) return;
@@ -163,7 +166,9 @@ void MaterialPointMethod::hold_walls() {
     if (x) response_[grid_.node(i, j)].x() = 0.0;
     if (y) response_[grid_.node(i, j)].y() = 0.0;
   };
-  const auto holds = [this](Wall wall) { return wall == Wall::fixed || (wall == Wall::absorbing && !walls_released_); };
+  const auto holds = [this](Wall wall) {
+    return wall == Wall::fixed || (wall == Wall::absorbing && !state_.walls_released);
+  };
   const auto holds_normal = [&holds](Wall wall) { return wall == Wall::roller || holds(wall); };
   const Walls& walls = grid_.walls;
   for (int j = -1; j <= grid_.rows + 1; ++j) {
@@ -190,11 +195,12 @@ void MaterialPointMethod::move_walls(double dt) {
     Node& node = node_[wall.on];
     Array2d& response = response_[wall.on];
     if (wall.wall == Wall::absorbing) {
-      if (walls_released_) {
-        node.force += wall.reaction - wall.spring * wall.displacement;
-        response = (response > 0.0).select(1.0 / (wall.mass + dt * wall.dashpot), 0.0);
+      if (state_.walls_released) {
+        WallState& memory = memory_of(wall);
+        node.force += pair(memory.reaction) - pair(memory.spring) * pair(memory.displacement);
+        response = (response > 0.0).select(1.0 / (wall.mass + dt * pair(memory.dashpot)), 0.0);
       } else {
-        wall.reaction = -node.force;
+        pair(memory_of(wall).reaction) = -node.force;
       }
     }
     const Array2d before = node.momentum * response;
@@ -216,27 +222,28 @@ void MaterialPointMethod::respond(std::vector<Array2d>& force) const {
 }
 
 void MaterialPointMethod::release_walls(std::span<const double> water_mass) {
-  walls_released_ = true;
+  state_.walls_released = true;
   const double h = grid_.cell_size;
-  for (WallNode& wall : wall_nodes_) {
+  for (const WallNode& wall : wall_nodes_) {
     if (wall.wall != Wall::absorbing) continue;
-    wall.dashpot = wall.spring = Array2d::Zero();
+    WallState& memory = memory_of(wall);
+    memory.dashpot = memory.spring = {};
     const auto columns = std::size_t(grid_.node_columns());
     const Array2d place(grid_.lower[0] + h * (double(wall.on % columns) - 2.0),
                         grid_.lower[1] + h * (double(wall.on / columns) - 2.0));
     const Eigen::Index along = 1 - wall.normal;
-    for (std::size_t p = 0; p < particles_.size(); ++p) {
-      const Array2d away = Array2d(particles_.x[p], particles_.y[p]) - place;
+    for (std::size_t p = 0; p < state_.particles.size(); ++p) {
+      const Array2d away = Array2d(state_.particles.x[p], state_.particles.y[p]) - place;
       if (std::abs(away[wall.normal]) >= h || std::abs(away[along]) >= h) continue;
       // the length of wall that the particle stands for: its share of the cell at the wall
-      const double length = (1.0 - std::abs(away[along]) / h) * particles_.volume[p] / h;
-      const double mass = particles_.solid_mass[p] + (water_mass.empty() ? 0.0 : water_mass[p]);
-      const Elastic& elastic = soils_[particles_.soil[p]].elastic;
+      const double length = (1.0 - std::abs(away[along]) / h) * state_.particles.volume[p] / h;
+      const double mass = state_.particles.solid_mass[p] + (water_mass.empty() ? 0.0 : water_mass[p]);
+      const Elastic& elastic = soils_[state_.particles.soil[p]].elastic;
       Array2d modulus;
       modulus[wall.normal] = elastic.constrained_modulus();
       modulus[along] = elastic.shear_modulus();
-      wall.dashpot += length * (modulus * mass / particles_.volume[p]).sqrt();
-      wall.spring += length / grid_.walls.absorbing_depth * modulus;
+      pair(memory.dashpot) += length * (modulus * mass / state_.particles.volume[p]).sqrt();
+      pair(memory.spring) += length / grid_.walls.absorbing_depth * modulus;
     }
   }
 }

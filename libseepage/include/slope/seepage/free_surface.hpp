@@ -29,6 +29,16 @@ struct SurfacePiece {
 /// the horizontal extent of the soil; an overhang or a block shades what is below, and a vertical face gets nothing.
 class FreeSurface {
  public:
+  struct State {
+    std::vector<double> x, y;  ///< positions of the particles when the surface was found (m); empty: not yet
+
+    template <class Self, class Visit>
+    static void for_each_field(Self& s, const Visit& visit) {
+      visit("x", s.x), visit("y", s.y);
+    }
+    bool operator==(const State&) const = default;
+  };
+
   /// @param spacing  of the particles (m), > 0
   FreeSurface(double spacing, const MirrorWalls& walls) : spacing_(spacing), walls_(walls) {}
 
@@ -36,16 +46,20 @@ class FreeSurface {
   /// last time. @return whether it did.
   bool update(const Skeleton& skeleton);
 
+  [[nodiscard]] const State& state() const { return state_; }
+  /// Goes on from a state. @throws std::invalid_argument if its arrays differ in length
+  void set_state(State state);
+
   /// In ascending order of the particles.
   [[nodiscard]] std::span<const SurfacePiece> pieces() const { return pieces_; }
 
  private:
-  void find_pieces(const Skeleton& skeleton);
-  void find_widths(const Skeleton& skeleton);
+  void find_pieces();
+  void find_widths();
 
   double spacing_;
   MirrorWalls walls_;
-  std::vector<double> x_, y_;  // positions when the surface was found
+  State state_;
   std::vector<SurfacePiece> pieces_;
 };
 

@@ -27,6 +27,21 @@ namespace slope::seepage {
 /// linear in each of two layers a pair across their seam then conducts what a pair in one soil does.
 class HeadOperator {
  public:
+  /// What the pair factors were worked out for, and where the search for the pressures at the seams begins.
+  struct State {
+    std::vector<double> x, y;                ///< positions then (m)
+    std::vector<double> volume;              ///< then (m2)
+    std::vector<double> seam_pressure_head;  ///< of each pair across a seam, when last found (m)
+
+    template <class Self, class Visit>
+    static void for_each_field(Self& s, const Visit& visit) {
+      visit("x", s.x), visit("y", s.y);
+      visit("volume", s.volume);
+      visit("seam_pressure_head", s.seam_pressure_head);
+    }
+    bool operator==(const State&) const = default;
+  };
+
   /// @param spacing  particle spacing (m); @param smoothing_ratio  smoothing length over spacing (-)
   HeadOperator(double spacing, double smoothing_ratio, const MirrorWalls& walls, int threads);
 
@@ -37,6 +52,11 @@ class HeadOperator {
   /// Follows the particles; works the pair factors out anew when one has moved by more than a hundredth of the
   /// spacing since the last time. @return whether it did.
   bool update(const Skeleton& skeleton);
+
+  [[nodiscard]] const State& state() const { return state_; }
+  /// Goes on from a state that one with the same soils had; conductances have to be set anew.
+  /// @throws std::invalid_argument if its arrays do not belong together
+  void set_state(State state);
 
   /// Conductances of the pairs for the conductivities K_p = k k_rw (m/s), with K_pq the logarithmic mean.
   void set_conductivity(std::span<const double> conductivity);
@@ -73,7 +93,8 @@ class HeadOperator {
     SeamMean mean;
   };
 
-  void find_pair_factors(const Skeleton& skeleton);
+  void find_pairs();
+  void find_pair_factors();
   void find_seams();
   template <class Mean>
   void find_conductances(const Mean& mean);
@@ -89,10 +110,10 @@ class HeadOperator {
   double lattice_scale_;
   Neighbours neighbours_;
   Images images_;
-  std::vector<double> x_weighted_, y_weighted_;  // positions when the pair factors were worked out
-  std::vector<double> factor_;                   // g_pq; 0 across seams
-  std::vector<double> conductance_;              // g_pq K_pq
-  std::vector<PotentialAt> conductivity_;        // of the particles
+  State state_;
+  std::vector<double> factor_;             // g_pq; 0 across seams
+  std::vector<double> conductance_;        // g_pq K_pq
+  std::vector<PotentialAt> conductivity_;  // of the particles
   std::vector<double> diagonal_;
   std::vector<std::uint16_t> soil_;  // empty: one soil
   std::vector<ConductivityCurve> curves_;

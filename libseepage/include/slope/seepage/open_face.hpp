@@ -35,6 +35,16 @@ struct AirFlow {
   double evaporation = 0.0;   ///< out of the soil, into the air
 
   AirFlow& operator+=(const AirFlow& other);
+
+  template <class Self, class Visit>
+  static void for_each_field(Self& s, const Visit& visit) {
+    visit("rain", s.rain);
+    visit("infiltration", s.infiltration);
+    visit("run_off", s.run_off);
+    visit("seepage", s.seepage);
+    visit("evaporation", s.evaporation);
+  }
+  bool operator==(const AirFlow&) const = default;
 };
 
 /// The parts of an inflow q through a face with rain R; q <= max(R, 0).

@@ -53,8 +53,32 @@ struct SolveReport {
 /// skeleton makes on its own and the one that it makes in response; then, when the skeleton has moved, finish(), which
 /// takes stock of the water and carries what is left to the next step. With a rigid skeleton, advance() does all that
 /// with Newton's method on an assembled matrix and may take steps of any length.
+///
+/// What it is between two steps is its State and that of its head operator; all else is given once or worked out anew.
+/// A copy goes on as the original does.
 class PoreFlow {
  public:
+  struct State {
+    std::vector<double> pressure;     ///< P_w (Pa)
+    std::vector<double> content;      ///< water of each particle at its last booking (m2)
+    std::vector<double> defect;       ///< water that the last booking left unexplained (m2)
+    std::vector<double> front_start;  ///< P_w before the water came that wets a particle from its face (Pa)
+    std::vector<double> inflow;       ///< by each boundary since the start (m2)
+    std::vector<double> inflow_rate;  ///< by each boundary in the latest step (m2/s)
+    AirFlow air_flow;                 ///< of the open faces in the latest step, in sum
+
+    template <class Self, class Visit>
+    static void for_each_field(Self& s, const Visit& visit) {
+      visit("pressure", s.pressure);
+      visit("content", s.content);
+      visit("defect", s.defect);
+      visit("front_start", s.front_start);
+      visit("inflow", s.inflow), visit("inflow_rate", s.inflow_rate);
+      visit("air_flow", s.air_flow);
+    }
+    bool operator==(const State&) const = default;
+  };
+
   /// @param soil  index into `soils` of each particle; @param pressure  initial P_w (Pa)
   PoreFlow(std::vector<Soil> soils, const Water& water, std::span<const std::uint16_t> soil,
            std::span<const double> pressure, const Skeleton& skeleton, const FlowSettings& settings);
@@ -98,7 +122,12 @@ class PoreFlow {
   /// of saturated soil.
   [[nodiscard]] double explicit_step(const Skeleton& skeleton) const;
 
-  [[nodiscard]] std::span<const double> pressure() const { return pressure_; }          ///< P_w (Pa)
+  [[nodiscard]] const State& state() const { return state_; }
+  /// Goes on from a state that one with the same soils had. Conductances and pressure changes are of the next step on.
+  /// @throws std::invalid_argument if there is not an entry for each particle
+  void set_state(State state, HeadOperator::State head_operator);
+
+  [[nodiscard]] std::span<const double> pressure() const { return state_.pressure; }    ///< P_w (Pa)
   [[nodiscard]] std::span<const double> suction() const { return suction_; }            ///< s = -P_w (Pa)
   [[nodiscard]] std::span<const double> saturation() const { return saturation_; }      ///< S_r (-)
   [[nodiscard]] std::span<const double> conductivity() const { return conductivity_; }  ///< k k_rw (m/s)
@@ -113,11 +142,11 @@ class PoreFlow {
 
   /// Water in the pores now, at its reference density (m2), and what has come in by each boundary since the start.
   [[nodiscard]] double stored_water() const;
-  [[nodiscard]] std::span<const double> cumulative_inflow() const { return inflow_; }
+  [[nodiscard]] std::span<const double> cumulative_inflow() const { return state_.inflow; }
   /// Net flow that each boundary brought in the latest step (m2/s).
-  [[nodiscard]] std::span<const double> inflow_rate() const { return inflow_rate_; }
+  [[nodiscard]] std::span<const double> inflow_rate() const { return state_.inflow_rate; }
   /// What the open faces exchanged with the air in the latest step, in sum.
-  [[nodiscard]] const AirFlow& air_flow() const { return air_flow_; }
+  [[nodiscard]] const AirFlow& air_flow() const { return state_.air_flow; }
   /// Water that the last solution left unexplained, summed over the particles (m2).
   [[nodiscard]] double unexplained_water() const;
 
@@ -150,6 +179,24 @@ class PoreFlow {
     double offset = 0.0;   // (m2)
     double slope = 0.0;    // (m2/Pa)
     double touched = 0.0;  // (Pa)
+  };
+
+  // The equations of advance(), kept while the neighbours stay the same. A copy starts empty and works out the same.
+  struct Assembled {
+    Assembled() = default;
+    Assembled(const Assembled& /*other*/) {}
+    Assembled& operator=(const Assembled& /*other*/) {
+      forget();
+      return *this;
+    }
+    ~Assembled() = default;
+    void forget() { pattern_known = ordering_known = false; }
+
+    Eigen::SparseMatrix<double> matrix;
+    Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> lagged_factorisation;
+    Eigen::SparseLU<Eigen::SparseMatrix<double>> factorisation;
+    bool pattern_known = false;   // whether matrix and lagged_factorisation fit the present neighbours
+    bool ordering_known = false;  // whether factorisation does
   };
 
   void evaluate_soil();
@@ -186,20 +233,16 @@ class PoreFlow {
   std::vector<double> drying_onset_;  // of each soil: P_w at which its conductivity has begun to fall (Pa)
   double tolerance_share_;            // of the tolerance that solve() is given
 
-  std::vector<double> pressure_, suction_, saturation_, pore_stress_;
+  State state_;
+  std::vector<double> suction_, saturation_, pore_stress_;
   std::vector<double> capacity_;              // dS_r/dP_w (1/Pa)
   std::vector<double> conductivity_;          // k k_rw (m/s)
   std::vector<double> potential_;             // its integral over the pressure head (m2/s)
   std::vector<double> pressure_head_, head_;  // P_w / gamma_w, h (m)
   std::vector<double> elevation_;             // of the particles during the step (m)
-  std::vector<double> content_;               // water of each particle at its last booking (m2)
-  std::vector<double> defect_;                // water that the last booking left unexplained (m2)
-  std::vector<double> front_start_;           // P_w before the water came that wets a particle from its face (Pa)
   std::vector<double> face_gain_;             // what faces let into each particle in the latest step (m2/s), >= 0
   std::vector<std::uint8_t> face_full_;       // whether one of them let in all that the soil takes
   std::vector<double> change_, stress_change_, latest_change_;
-  std::vector<double> inflow_, inflow_rate_;
-  AirFlow air_flow_;
   std::vector<OpenFaceLaw> open_laws_;         // of the present step's open faces
   std::vector<OpenFaceLaw::Part> open_parts_;  // the parts for which the step is solved
   std::vector<DrainLaw> drain_laws_;           // of the present step's drains
@@ -213,11 +256,7 @@ class PoreFlow {
   std::optional<TwoPassOperator> two_pass_;  // of explicit steps only
   std::vector<double> wx_, wy_;
   ConjugateGradients solver_;
-  Eigen::SparseMatrix<double> matrix_;
-  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> lagged_factorisation_;
-  Eigen::SparseLU<Eigen::SparseMatrix<double>> factorisation_;
-  bool pattern_known_ = false;   // whether matrix_ and lagged_factorisation_ fit the present neighbours
-  bool ordering_known_ = false;  // whether factorisation_ does
+  Assembled assembled_;
 };
 
 }  // namespace slope::seepage

@@ -12,7 +12,7 @@ namespace slope::seepage {
 template <VolumeResponse Response>
 SolveReport PoreFlow::solve(double time_step, const Skeleton& skeleton, std::span<const double> strain,
                             const Boundary& boundary, const Response& response, double tolerance) {
-  const std::size_t n = pressure_.size();
+  const std::size_t n = state_.pressure.size();
   const double flow_scale = time_step / water_.unit_weight();
   find_head(skeleton);
   operator_.set_conductivity(conductivity_, pressure_head_, potential_);
@@ -22,9 +22,9 @@ SolveReport PoreFlow::solve(double time_step, const Skeleton& skeleton, std::spa
     const double s = saturation_[p];
     storage_slope_[p] = skeleton.volume[p] * skeleton.porosity[p] * (s / water_.bulk_modulus + capacity_[p]);
     storage_offset_[p] = 0.0;
-    touched_[p] = pressure_[p];
+    touched_[p] = state_.pressure[p];
     storage_[p] = storage_slope_[p];
-    right_side_[p] = -s * skeleton.volume[p] * strain[p] - time_step * outflow_[p] + defect_[p];
+    right_side_[p] = -s * skeleton.volume[p] * strain[p] - time_step * outflow_[p] + state_.defect[p];
     diagonal_[p] = storage_[p] + flow_scale * operator_.diagonal()[p] + s * s * work_[p];
   }
   for (const FacePressure& face : boundary.faces) {
@@ -63,7 +63,7 @@ SolveReport PoreFlow::solve(double time_step, const Skeleton& skeleton, std::spa
     std::fill(stress_change_.begin(), stress_change_.end(), 0.0);
     bool any_change = false;
     for (const HeldPressure& held : boundary.held) {
-      stress_change_[held.particle] = held.pressure - pressure_[held.particle];
+      stress_change_[held.particle] = held.pressure - state_.pressure[held.particle];
       any_change = any_change || stress_change_[held.particle] != 0.0;
     }
     if (any_change) {
@@ -89,7 +89,8 @@ SolveReport PoreFlow::solve(double time_step, const Skeleton& skeleton, std::spa
     report.converged = result.converged && !switched && !bent;
     if (!switched && !bent) break;
   }
-  for (const HeldPressure& held : boundary.held) change_[held.particle] = held.pressure - pressure_[held.particle];
+  for (const HeldPressure& held : boundary.held)
+    change_[held.particle] = held.pressure - state_.pressure[held.particle];
   for (std::size_t p = 0; p < n; ++p) {
     stress_change_[p] = saturation_[p] * change_[p];
     report.largest_change = std::max(report.largest_change, std::abs(change_[p]));

@@ -77,6 +77,35 @@ struct Balance {
   double kinetic_energy = 0.0;    ///< of the grid (J/m)
   double unbalanced_force = 0.0;  ///< sum of |internal + external force| over the free nodal components (N/m)
   double weight = 0.0;            ///< of all particles (N/m)
+
+  template <class Self, class Visit>
+  static void for_each_field(Self& s, const Visit& visit) {
+    visit("kinetic_energy", s.kinetic_energy);
+    visit("unbalanced_force", s.unbalanced_force);
+    visit("weight", s.weight);
+  }
+  bool operator==(const Balance&) const = default;
+};
+
+/// What a wall that can move remembers at one of its nodes. Normal and friction force are on the soil, inwards and
+/// along the wall's axis.
+struct WallState {
+  double normal_force = 0.0, friction_force = 0.0;  ///< of a frictional wall, in the latest step (N/m)
+  double felt = 0.0, usual = 0.0;  ///< normal force, as the whole of the friction and its distribution follow it (N/m)
+  std::array<double, 2> reaction{};      ///< force of an absorbing wall at rest (N/m)
+  std::array<double, 2> displacement{};  ///< of an absorbing wall since the release (m)
+  std::array<double, 2> dashpot{};       ///< of an absorbing wall (N s/m2), >= 0
+  std::array<double, 2> spring{};        ///< of an absorbing wall (N/m2), >= 0
+
+  template <class Self, class Visit>
+  static void for_each_field(Self& s, const Visit& visit) {
+    visit("normal_force", s.normal_force), visit("friction_force", s.friction_force);
+    visit("felt", s.felt), visit("usual", s.usual);
+    visit("reaction", s.reaction);
+    visit("displacement", s.displacement);
+    visit("dashpot", s.dashpot), visit("spring", s.spring);
+  }
+  bool operator==(const WallState&) const = default;
 };
 
 /// What a frictional wall bears at one of its nodes.
@@ -101,8 +130,29 @@ struct WallReaction {
 /// them. A particle's own volume change, four constraints to a cell, would lock soil that flows at constant volume.
 /// With Settings::averages_pressure false each particle's own pressure and strain act instead; then volume_response()
 /// and correct() are of no use.
+///
+/// What it is between two steps is its State; all else is given once or worked out in each step anew. A copy goes on as
+/// the original does.
 class MaterialPointMethod {
  public:
+  struct State {
+    Particles particles;
+    std::vector<WallState> walls;  ///< of the nodes of the walls that can move: left, right, base
+    bool walls_released = false;
+    double whole_time = 0.0, distribution_time = 0.0;  ///< in which friction follows the normal force (s)
+    Balance balance;                                   ///< of the latest step
+
+    template <class Self, class Visit>
+    static void for_each_field(Self& s, const Visit& visit) {
+      visit("particles", s.particles);
+      visit("walls", s.walls);
+      visit("walls_released", s.walls_released);
+      visit("whole_time", s.whole_time), visit("distribution_time", s.distribution_time);
+      visit("balance", s.balance);
+    }
+    bool operator==(const State&) const = default;
+  };
+
   /// @throws std::invalid_argument if there is no cell, soil or thread, if the particles' arrays differ in length or
   /// name a soil that is not there, or if the share of FLIP is above one
   MaterialPointMethod(const Grid& grid, std::vector<Soil> soils, Particles particles, const Settings& settings);
@@ -147,11 +197,15 @@ class MaterialPointMethod {
   /// @throws SolidError
   void advance(double dt, std::span<const double> suction, const StepMode& mode = {});
 
-  [[nodiscard]] const Particles& particles() const { return particles_; }
-  [[nodiscard]] Particles& particles() { return particles_; }
+  [[nodiscard]] const State& state() const { return state_; }
+  /// Goes on from a state that one with the same grid and soils had.
+  /// @throws std::invalid_argument if arrays differ in length, or the number of wall nodes is another
+  void set_state(State state);
+  [[nodiscard]] const Particles& particles() const { return state_.particles; }
+  [[nodiscard]] Particles& particles() { return state_.particles; }
   [[nodiscard]] const Grid& grid() const { return grid_; }
   [[nodiscard]] const std::vector<Soil>& soils() const { return soils_; }
-  [[nodiscard]] const Balance& balance() const { return balance_; }
+  [[nodiscard]] const Balance& balance() const { return state_.balance; }
   /// Reactions of the frictional walls in the latest step, one per node of theirs.
   [[nodiscard]] std::vector<WallReaction> wall_reactions() const;
   /// Brings all particles to rest.
@@ -194,6 +248,7 @@ class MaterialPointMethod {
   // over, of the soil inside as seen from the moving node.
   struct WallNode {
     std::size_t outside = 0, on = 0, inside = 0;
+    std::size_t number = 0;   // in wall_nodes_, and in the state
     std::size_t along = 0;    // number along the wall
     Eigen::Index normal = 0;  // axis
     double inwards = 1.0;     // sign of the inner normal along that axis
@@ -206,13 +261,6 @@ class MaterialPointMethod {
     double gap = 0.0;          // to the soil (m)
     double water_force = 0.0;  // of the pore water on the wall (N/m)
     double beside = 0.0;       // sign of the inner normal of a wall with friction that it meets there, if it does
-    double normal_force = 0.0, friction_force = 0.0;  // on the soil, inwards and along the axis (N/m)
-    double felt = 0.0, usual = 0.0;  // normal force, as the whole of the friction and its distribution follow it (N/m)
-
-    Eigen::Array2d reaction = Eigen::Array2d::Zero();      // force of the wall at rest (N/m)
-    Eigen::Array2d displacement = Eigen::Array2d::Zero();  // since the release (m)
-    Eigen::Array2d dashpot = Eigen::Array2d::Zero();       // (N s/m2)
-    Eigen::Array2d spring = Eigen::Array2d::Zero();        // (N/m2)
   };
   // Sums over the particles of a cell, weighted by volume.
   struct CellMeans {
@@ -251,8 +299,8 @@ class MaterialPointMethod {
   void find_friction_times();
   void resist_by_friction(double dt);
   void resist_by_friction(std::span<WallNode> stretch, double dt);
-  void press(WallNode& wall, double dt);
-  void rub(WallNode& wall, double limit, double dt);
+  void press(const WallNode& wall, double dt);
+  void rub(const WallNode& wall, double limit, double dt);
   void respond(std::vector<Eigen::Array2d>& force) const;
   void unfold_walls();
   void update_velocity(double dt, double damping);
@@ -266,13 +314,14 @@ class MaterialPointMethod {
   void remap_velocity();
   void update_stress(double dt, std::span<const double> suction, const StepMode& mode);
   void check() const;
+  [[nodiscard]] WallState& memory_of(const WallNode& wall) { return state_.walls[wall.number]; }
+  [[nodiscard]] const WallState& memory_of(const WallNode& wall) const { return state_.walls[wall.number]; }
 
   Grid grid_;
   std::vector<Soil> soils_;
   std::vector<Material> materials_;
-  Particles particles_;
   Settings settings_;
-  Balance balance_;
+  State state_;
 
   std::vector<ParticleWeights> weights_;
   std::vector<double> mass_;                 // of each particle, with its water (kg/m)
@@ -294,8 +343,6 @@ class MaterialPointMethod {
   std::array<bool, 2> corner_off_{};              // whether the soil is off the left or right side in its corner
   std::vector<NearWall> near_wall_;               // of each wall node
   std::vector<CellMeans> cell_means_;
-  bool walls_released_ = false;
-  double whole_time_ = 0.0, distribution_time_ = 0.0;  // in which friction follows the normal force (s)
 
   std::vector<Node> node_;
   std::vector<Eigen::Array2d> old_velocity_, velocity_;

@@ -24,6 +24,23 @@ struct Particles {
 
   [[nodiscard]] std::size_t size() const { return x.size(); }
 
+  /// Calls visit(name, array) for each array of a Particles, const or not.
+  template <class Self, class Visit>
+  static void for_each_field(Self& p, const Visit& visit) {
+    visit("x", p.x), visit("y", p.y);
+    visit("ux", p.ux), visit("uy", p.uy);
+    visit("vx", p.vx), visit("vy", p.vy);
+    visit("cxx", p.cxx), visit("cxy", p.cxy), visit("cyx", p.cyx), visit("cyy", p.cyy);
+    visit("sxx", p.sxx), visit("syy", p.syy), visit("szz", p.szz), visit("sxy", p.sxy);
+    visit("exx", p.exx), visit("eyy", p.eyy), visit("exy", p.exy);
+    visit("plastic_strain", p.plastic_strain);
+    visit("volume", p.volume);
+    visit("solid_mass", p.solid_mass);
+    visit("porosity", p.porosity);
+    visit("soil", p.soil);
+  }
+  bool operator==(const Particles&) const = default;
+
   /// Particles at rest and free of stress.
   /// @param grain_density  rho_s of each soil (kg/m3), indexed by `soil_index`
   static Particles at(std::span<const double> x, std::span<const double> y, std::span<const double> volume,
