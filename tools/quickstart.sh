@@ -10,7 +10,7 @@ cmake --preset release
 cmake --build --preset release --target slope-sim slope-render
 
 results=results/slope-w2
-build/release/bin/slope-sim run cases/paper/slope-w2.yaml -o "$results" --threads 1
+build/release/bin/slope-sim run cases/paper/slope-w2.yaml -o "$results" --threads 1 --overwrite
 build/release/bin/slope-render "$results"
 
 echo "The pictures are in $PWD/$results/figures"

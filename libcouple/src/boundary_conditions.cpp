@@ -98,6 +98,11 @@ BoundaryConditions::BoundaryConditions(const Case& input, const InitialParticles
   first_pressure_.assign(particles.x.size(), 0.0);
 }
 
+void BoundaryConditions::set_state(BoundaryState state) {
+  first_pressure_ = std::move(state.first_pressure);
+  surface_.set_state(std::move(state.free_surface));
+}
+
 void BoundaryConditions::start(Actions& actions) {
   actions.water.held.clear();
   actions.water.faces.clear();

@@ -7,6 +7,7 @@
 #include "mixture.hpp"
 #include "slope/couple/case.hpp"
 #include "slope/couple/geometry.hpp"
+#include "slope/couple/state.hpp"
 #include "slope/seepage/free_surface.hpp"
 #include "standing_water_share.hpp"
 
@@ -29,6 +30,8 @@ class BoundaryConditions {
   void remember_pressures(std::span<const double> pressure) {
     first_pressure_.assign(pressure.begin(), pressure.end());
   }
+  [[nodiscard]] BoundaryState state() const { return {first_pressure_, surface_.state()}; }
+  void set_state(BoundaryState state);
 
   /// Times at which a condition begins or ends its ramp, ascending (s).
   [[nodiscard]] const std::vector<double>& change_times() const { return change_times_; }

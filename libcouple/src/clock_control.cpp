@@ -21,7 +21,7 @@ ClockControl::ClockControl(const Clock& limits, const SlopeScale& scale, std::ve
     : limits_(limits), scale_(scale), change_times_(std::move(change_times)) {}
 
 ClockControl::Pace ClockControl::pace(double time, double next, double time_step, double prescribed_rate) {
-  double factor = factor_;
+  double factor = state_.factor;
   if (limits_.adaptive) {
     double since = time;
     for (const double change : change_times_) {
@@ -37,8 +37,8 @@ ClockControl::Pace ClockControl::pace(double time, double next, double time_step
   Pace pace;
   pace.time_step = std::min(time_step, water_step);
   pace.factor = water_step / pace.time_step;
-  pace.velocity_scale = std::min(1.0, factor / last_factor_);
-  last_factor_ = factor;
+  pace.velocity_scale = std::min(1.0, factor / state_.last_factor);
+  state_.last_factor = factor;
   return pace;
 }
 
@@ -48,33 +48,33 @@ double ClockControl::next_change(double time) const {
 }
 
 void ClockControl::begin_block(std::span<const double> pressure) {
-  pressure_.assign(pressure.begin(), pressure.end());
-  block_time_ = block_unbalanced_ = 0.0;
+  state_.pressure.assign(pressure.begin(), pressure.end());
+  state_.block_time = state_.block_unbalanced = 0.0;
 }
 
 void ClockControl::observe(double time_step, double unbalanced_ratio, std::span<const double> pressure) {
   if (!limits_.adaptive) return;
-  if (pressure_.empty()) {
+  if (state_.pressure.empty()) {
     begin_block(pressure);
     return;
   }
-  block_time_ += time_step;
-  block_unbalanced_ += unbalanced_ratio * time_step;
-  if (block_time_ < block_share * scale_.period()) return;
+  state_.block_time += time_step;
+  state_.block_unbalanced += unbalanced_ratio * time_step;
+  if (state_.block_time < block_share * scale_.period()) return;
   double pressure_change = 0.0;
   for (std::size_t p = 0; p < pressure.size(); ++p) {
-    pressure_change = std::max(pressure_change, std::abs(pressure[p] - pressure_[p]));
+    pressure_change = std::max(pressure_change, std::abs(pressure[p] - state_.pressure[p]));
   }
-  const double unbalanced = block_unbalanced_ / block_time_;
-  if (last_factor_ > 1.0) largest_unbalanced_ratio_ = std::max(largest_unbalanced_ratio_, unbalanced);
+  const double unbalanced = state_.block_unbalanced / state_.block_time;
+  if (state_.last_factor > 1.0) state_.largest_unbalanced_ratio = std::max(state_.largest_unbalanced_ratio, unbalanced);
   const double liveliness =
       std::max(unbalanced / limits_.unbalanced_limit, pressure_change / (calm_pressure * scale_.overburden));
   if (liveliness > lively) {
-    factor_ *= shrinkage;
+    state_.factor *= shrinkage;
   } else if (liveliness < 1.0) {
-    factor_ *= std::exp(block_time_ / (growth_time * scale_.period()));
+    state_.factor *= std::exp(state_.block_time / (growth_time * scale_.period()));
   }
-  factor_ = std::clamp(factor_, 1.0, limits_.maximum_factor);
+  state_.factor = std::clamp(state_.factor, 1.0, limits_.maximum_factor);
   begin_block(pressure);
 }
 

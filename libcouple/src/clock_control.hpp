@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "slope/couple/case.hpp"
+#include "slope/couple/state.hpp"
 
 namespace slope::couple {
 
@@ -22,6 +23,8 @@ struct SlopeScale {
 /// the factor grows while these are small against the weight, and falls to one, real time, when they are not.
 class ClockControl {
  public:
+  using State = ClockState;
+
   ClockControl(const Clock& limits, const SlopeScale& scale, std::vector<double> change_times);
 
   /// What the soil's time step and the factor are, and by how much the soil's velocities must be scaled before the
@@ -44,9 +47,11 @@ class ClockControl {
   /// @param pressure  pore pressure of the particles after it (Pa)
   void observe(double time_step, double unbalanced_ratio, std::span<const double> pressure);
   /// The largest unbalanced ratio that a judgement found while the water ran ahead of the soil (-).
-  [[nodiscard]] double largest_unbalanced_ratio() const { return largest_unbalanced_ratio_; }
+  [[nodiscard]] double largest_unbalanced_ratio() const { return state_.largest_unbalanced_ratio; }
   /// The time of the next change of the boundary conditions after `time` (s).
   [[nodiscard]] double next_change(double time) const;
+  [[nodiscard]] const State& state() const { return state_; }
+  void set_state(State state) { state_ = std::move(state); }
 
  private:
   void begin_block(std::span<const double> pressure);
@@ -54,12 +59,7 @@ class ClockControl {
   Clock limits_;
   SlopeScale scale_;
   std::vector<double> change_times_;
-  double factor_ = 1.0;
-  double last_factor_ = 1.0;  // of the latest step, before it was fitted to what is due
-  double block_time_ = 0.0;
-  double block_unbalanced_ = 0.0;  // unbalanced ratio times time (s)
-  std::vector<double> pressure_;   // at the start of the block
-  double largest_unbalanced_ratio_ = 0.0;
+  State state_;
 };
 
 }  // namespace slope::couple

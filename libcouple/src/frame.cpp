@@ -37,11 +37,15 @@ std::vector<std::vector<Point>> outlines_of(const Case& input) {
 
 }  // namespace
 
-Frame::Frame(const Case& given)
+Frame::Frame(const Case& given, std::optional<bool> mirrored)
     : origin_(given.domain.lower),
       width_(side_of(given.domain, 0)),
       height_(side_of(given.domain, 1)),
       quanta_per_metre_(std::pow(10.0, quantum_decades - std::floor(std::log10(given.domain.cell_size)))) {
+  if (mirrored) {
+    mirrored_ = *mirrored;
+    return;
+  }
   const Case straight = place(given);
   mirrored_ = true;
   const Case image = place(given);

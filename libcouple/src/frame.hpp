@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "slope/couple/case.hpp"
 #include "slope/couple/geometry.hpp"
 #include "slope/couple/simulation.hpp"
@@ -15,7 +17,9 @@ namespace slope::couple {
 /// kilometres and far below what matters.
 class Frame {
  public:
-  explicit Frame(const Case& given);
+  /// @param mirrored  whether it is the mirror image; none: decided by the case
+  explicit Frame(const Case& given, std::optional<bool> mirrored = {});
+  [[nodiscard]] bool is_mirrored() const { return mirrored_; }
 
   /// The case as it is computed. What is a position is moved, rounded and mirrored, what has a direction mirrored.
   [[nodiscard]] Case place(const Case& given) const;

@@ -81,8 +81,8 @@ Mixture::Mixture(const Case& input, const InitialParticles& particles, std::span
       saturated_density_(input.mixture_density == MixtureDensity::saturated),
       water_mass_(particles.x.size()) {
   if (rigid_) {
-    first_volume_ = soil.particles().volume;
-    first_porosity_ = soil.particles().porosity;
+    state_.first_volume = soil.particles().volume;
+    state_.first_porosity = soil.particles().porosity;
   }
   weigh_water();
 }
@@ -90,10 +90,15 @@ Mixture::Mixture(const Case& input, const InitialParticles& particles, std::span
 seepage::Skeleton Mixture::skeleton() const {
   seepage::Skeleton skeleton = view(soil.particles());
   if (rigid_) {
-    skeleton.volume = first_volume_;
-    skeleton.porosity = first_porosity_;
+    skeleton.volume = state_.first_volume;
+    skeleton.porosity = state_.first_porosity;
   }
   return skeleton;
+}
+
+void Mixture::set_state(MixtureState state) {
+  state_ = std::move(state);
+  weigh_water();
 }
 
 void Mixture::slow_down(double factor) {

@@ -5,6 +5,7 @@
 
 #include "slope/couple/case.hpp"
 #include "slope/couple/geometry.hpp"
+#include "slope/couple/state.hpp"
 #include "slope/seepage/pore_flow.hpp"
 #include "slope/solid/material_point_method.hpp"
 
@@ -32,11 +33,15 @@ class Mixture {
   /// Multiplies the soil's velocities by a factor in (0, 1].
   void slow_down(double factor);
   [[nodiscard]] bool rigid() const { return rigid_; }
+  /// That of the mixture itself; the solvers have theirs.
+  [[nodiscard]] const MixtureState& state() const { return state_; }
+  /// Call when both solvers have theirs.
+  void set_state(MixtureState state);
 
  private:
   bool rigid_;
   bool saturated_density_;
-  std::vector<double> first_volume_, first_porosity_;  // kept for a rigid skeleton
+  MixtureState state_;
   std::vector<double> water_mass_;
 };
 

@@ -1,7 +1,8 @@
 #pragma once
 
 #include <optional>
-#include <vector>
+
+#include "slope/couple/state.hpp"
 
 namespace slope::couple {
 
@@ -20,6 +21,7 @@ namespace slope::couple {
 /// one that stays in balance with the water, has a kink but no t_f. So the kink is taken.
 class RunawayWatch {
  public:
+  using State = RunawayState;
   static constexpr double runaway_ratio = 5.0;
   static constexpr double slowing_ratio = 1.5;
 
@@ -31,14 +33,15 @@ class RunawayWatch {
   /// to have run away
   bool observe(double time, double displacement);
   /// The time of the kink (s); none: the motion has not run away so far.
-  [[nodiscard]] std::optional<double> time() const { return time_; }
+  [[nodiscard]] std::optional<double> time() const { return state_.time; }
   /// The largest displacement then (m).
-  [[nodiscard]] double displacement() const { return displacement_; }
+  [[nodiscard]] double displacement() const { return state_.displacement; }
+
+  [[nodiscard]] const State& state() const { return state_; }
+  void set_state(State state) { state_ = std::move(state); }
 
  private:
-  struct Sample {
-    double time = 0.0, displacement = 0.0;
-  };
+  using Sample = State::Sample;
 
   void find_kink();
   [[nodiscard]] bool goes_on_after(std::size_t kink) const;
@@ -46,10 +49,7 @@ class RunawayWatch {
   [[nodiscard]] double time_of(double displacement, std::size_t from) const;
 
   double growth_, at_once_;
-  std::vector<Sample> samples_{{}};  // of the largest displacement so far
-  Sample latest_;
-  std::optional<double> time_;
-  double displacement_ = 0.0;
+  State state_;
 };
 
 }  // namespace slope::couple

@@ -1,7 +1,8 @@
 #pragma once
 
 #include <span>
-#include <vector>
+
+#include "slope/couple/state.hpp"
 
 namespace slope::couple {
 
@@ -12,6 +13,7 @@ namespace slope::couple {
 /// found when 2.25 times the duration of the slide have passed since the onset, at the latest.
 class RestWatch {
  public:
+  using State = RestState;
   static constexpr double rest_share = 0.02;
 
   /// @param slide_time  sqrt(H / g) of the slope (s), > 0.
@@ -24,13 +26,14 @@ class RestWatch {
   bool observe(double since_onset, double own_step, double moved, std::span<const double> ux,
                std::span<const double> uy);
 
+  [[nodiscard]] const State& state() const { return state_; }
+  void set_state(State state) { state_ = std::move(state); }
+
  private:
   void begin(double since_onset, std::span<const double> ux, std::span<const double> uy);
 
-  double shortest_;              // time between two judgements (s)
-  double began_ = 0.0;           // since the onset (s)
-  double own_time_ = 0.0;        // since then (s)
-  std::vector<double> ux_, uy_;  // at that time
+  double shortest_;  // time between two judgements (s)
+  State state_;
 };
 
 }  // namespace slope::couple

@@ -17,6 +17,10 @@ class SeepageScheme {
   /// The length of the next step, one of equal ones from `time` to `next` (s).
   [[nodiscard]] double pace(double time, double next) const;
 
+  /// How long the next step may be (s): all that the scheme remembers.
+  [[nodiscard]] double state() const { return step_; }
+  void set_state(double step) { step_ = step; }
+
   /// One step of clock_factor x time_step. If it does not converge nothing has changed, and pace() gives a shorter one.
   /// @throws SimulationError if there is none left to try
   seepage::SolveReport step(Mixture& mixture, const Actions& actions, double time_step, double clock_factor);
@@ -24,7 +28,7 @@ class SeepageScheme {
  private:
   static constexpr double first_step = 1.0;
 
-  double step_ = first_step;
+  double step_ = first_step;        // the state
   std::vector<double> saturation_;  // at the start of the step
 };
 

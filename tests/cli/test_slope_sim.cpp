@@ -144,7 +144,7 @@ TEST_F(SlopeSim, RunOfTheResolvedCaseInItsOwnFolderGivesTheSame) {
   ASSERT_EQ(run_box(out).exit_code, 0);
   const std::string resolved = content_of(out / "case.yaml");
   const std::string history = content_of(out / "history.csv");
-  ASSERT_EQ(call({"run", (out / "case.yaml").string(), "-o", out.string()}).exit_code, 0);
+  ASSERT_EQ(call({"run", (out / "case.yaml").string(), "-o", out.string(), "--overwrite"}).exit_code, 0);
   EXPECT_EQ(content_of(out / "case.yaml"), resolved);
   EXPECT_EQ(content_of(out / "history.csv"), history);
 }
@@ -178,11 +178,17 @@ TEST_F(SlopeSim, QuietRunPrintsNothing) {
   EXPECT_EQ(outcome.output + outcome.errors, "");
 }
 
-TEST_F(SlopeSim, AnEarlierRunIsReplaced) {
+TEST_F(SlopeSim, AnEarlierRunIsReplacedIfThatIsAskedFor) {
   const fs::path out = scratch_ / "run";
   ASSERT_EQ(run_box(out, {"--set", "output.snapshot_interval=0.05 s"}).exit_code, 0);
   ASSERT_GT(read_particle_series(out).size(), 2u);
-  ASSERT_EQ(run_box(out).exit_code, 0);
+  const std::string history = content_of(out / "history.csv");
+  const Outcome refused = run_box(out);
+  EXPECT_EQ(refused.exit_code, 4);
+  EXPECT_EQ(refused.errors,
+            out.string() + ": holds an earlier run; --resume goes on with it, --overwrite replaces it\n");
+  EXPECT_EQ(content_of(out / "history.csv"), history);
+  ASSERT_EQ(run_box(out, {"--overwrite"}).exit_code, 0);
   EXPECT_EQ(read_particle_series(out).size(), 2u);
   EXPECT_FALSE(fs::exists(out / "particles_0002.vtp"));
 }

@@ -152,6 +152,10 @@ void write_collection(const std::vector<Snapshot>& snapshots, const fs::path& fi
   rename_or_throw(unfinished, file);
 }
 
+std::string particle_file_name(std::size_t number) {
+  return fmt::format("particles_{:04}.vtp", number);
+}
+
 }  // namespace
 
 ParticleFileSeries::ParticleFileSeries(fs::path directory) : directory_(std::move(directory)) {
@@ -162,8 +166,22 @@ ParticleFileSeries::ParticleFileSeries(fs::path directory) : directory_(std::mov
   }
 }
 
+ParticleFileSeries::ParticleFileSeries(fs::path directory, std::size_t kept_files) : directory_(std::move(directory)) {
+  if (kept_files > 0) written_ = read_particle_series(directory_);
+  for (std::size_t i = 0; i < kept_files; ++i) {
+    if (i < written_.size() && fs::is_regular_file(written_[i].file)) continue;
+    throw FileError(fmt::format("{}: is not there, and the checkpoint counts on it",
+                                (directory_ / particle_file_name(i)).string()));
+  }
+  written_.resize(kept_files);
+  std::error_code error;
+  for (std::size_t i = kept_files; fs::remove(directory_ / particle_file_name(i), error);) ++i;
+  if (error) throw FileError(fmt::format("{}: cannot be changed: {}", directory_.string(), error.message()));
+  write_collection(written_, directory_ / particle_collection);
+}
+
 fs::path ParticleFileSeries::write(const couple::ParticleTable& particles, std::string_view label) {
-  const fs::path file = directory_ / fmt::format("particles_{:04}.vtp", written_.size());
+  const fs::path file = directory_ / particle_file_name(written_.size());
   write_polydata(to_polydata(particles, label), file);
 
   auto snapshots = written_;

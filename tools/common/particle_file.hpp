@@ -38,6 +38,13 @@ class ParticleFileSeries {
   /// @throws couple::FileError if the directory cannot be created.
   explicit ParticleFileSeries(std::filesystem::path directory);
 
+  /// Goes on with an earlier series, of which it keeps the first files; what lies beyond is removed.
+  /// @throws couple::FileError if it has less files, or cannot be changed.
+  ParticleFileSeries(std::filesystem::path directory, std::size_t kept_files);
+
+  /// In the order in which they were written.
+  [[nodiscard]] const std::vector<Snapshot>& written() const { return written_; }
+
   /// Adds a snapshot.
   /// @param label  what slope-render looks for: "start", "onset", "end"; empty for the others.
   /// @return the file that was written.

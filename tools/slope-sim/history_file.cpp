@@ -17,6 +17,18 @@ HistoryFile::HistoryFile(const std::filesystem::path& file, const std::vector<co
   end_line();
 }
 
+HistoryFile::HistoryFile(const std::filesystem::path& file, std::uintmax_t kept_bytes) : file_(file) {
+  cut_back(file, kept_bytes);
+  errno = 0;
+  stream_.open(file, std::ios::app);
+  if (!stream_) throw couple::FileError(fmt::format("{}: cannot be written: {}", file_.string(), system_message()));
+}
+
+std::uintmax_t HistoryFile::synchronise() {
+  synchronise_file(file_);
+  return std::filesystem::file_size(file_);
+}
+
 void HistoryFile::add(const std::vector<double>& row) {
   for (std::size_t i = 0; i < row.size(); ++i) stream_ << (i == 0 ? "" : ",") << fmt::format("{:.9g}", row[i]);
   end_line();

@@ -45,6 +45,19 @@ void add_case(CLI::App& command, std::string& file, std::vector<std::string>& ov
       ->allow_extra_args(false);
 }
 
+void add_running(CLI::App& command, slope::tools::RunOptions& options) {
+  command.add_option("--threads", options.threads, "Number of threads; the result does not depend on it")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  command
+      .add_option("--checkpoint-interval", options.checkpoint_interval,
+                  "Wall time in seconds after which a checkpoint is written, though never so often that it takes more "
+                  "than a hundredth of the run")
+      ->check(CLI::Range(0.0, 1.0e9))
+      ->capture_default_str();
+  command.add_flag("--quiet", options.quiet, "No progress, no summary");
+}
+
 ExitCode fail(const std::exception& error, ExitCode code) {
   fmt::print(stderr, "{}\n", error.what());
   return code;
@@ -96,7 +109,7 @@ int main(int argc, char** argv) {
   app.footer(
       "Exit codes: 0 fine, 1 a fault of the program, 2 bad arguments or case, 3 the physics broke,\n"
       "4 a file cannot be read or written, 130 interrupted. Whatever ends a run, what was computed until then is in\n"
-      "the output folder.");
+      "the output folder, and slope-sim resume goes on with it. SIGUSR1 asks a run for a checkpoint.");
   app.require_subcommand(1);
 
   slope::tools::RunOptions options;
@@ -104,11 +117,14 @@ int main(int argc, char** argv) {
   std::string folder;
   CLI::App* run = app.add_subcommand("run", "Runs a case and fills an output folder");
   add_case(*run, case_file, options.overrides);
-  run->add_option("-o,--output", folder, "Output folder; an earlier run in it is replaced")->required();
-  run->add_option("--threads", options.threads, "Number of threads; the result does not depend on it")
-      ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
-  run->add_flag("--quiet", options.quiet, "No progress, no summary");
+  run->add_option("-o,--output", folder, "Output folder; one that holds an earlier run is refused")->required();
+  bool overwrites = false, resumes = false;
+  CLI::Option* overwrite = run->add_flag("--overwrite", overwrites, "Replaces an earlier run in the folder");
+  run->add_flag("--resume", resumes, "Goes on with an earlier run in the folder, or begins if there is none")
+      ->excludes(overwrite);
+  CLI::App* resume = app.add_subcommand("resume", "Goes on with the run in an output folder from its checkpoint");
+  resume->add_option("FOLDER", folder, "Output folder of slope-sim run")->required();
+  for (CLI::App* command : {run, resume}) add_running(*command, options);
   CLI::App* check = app.add_subcommand("check", "Says what is wrong with a case, or that it is fine");
   add_case(*check, case_file, options.overrides);
   app.add_subcommand("schema", "Prints the JSON Schema of case files");
@@ -127,5 +143,7 @@ int main(int argc, char** argv) {
   if (options.threads > 1) wait_without_spinning(argv);
   options.case_file = case_file;
   options.folder = folder;
+  if (overwrites) options.earlier = slope::tools::EarlierRun::overwrite;
+  if (resumes || resume->parsed()) options.earlier = slope::tools::EarlierRun::resume;
   return static_cast<int>(execute(app, options, files));
 }

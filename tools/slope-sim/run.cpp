@@ -4,9 +4,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <ctime>
 
+#include "checkpoint_request.hpp"
 #include "interruption.hpp"
 #include "progress_line.hpp"
 #include "report.hpp"
@@ -18,24 +20,54 @@ namespace slope::tools {
 
 namespace {
 
+constexpr double cost_factor = 100.0;  // times the wall time of a checkpoint that passes before the next at least
+
+/// Of the case file or, if there is none, of the folder.
+couple::Case read_case_of(const RunOptions& options, std::vector<couple::Problem>& warnings) {
+  if (!options.case_file.empty()) return couple::read_case(options.case_file, options.overrides, &warnings);
+  if (!std::filesystem::exists(options.folder / "checkpoint.bin")) {
+    throw couple::FileError(
+        fmt::format("{}: holds no run that could be resumed: there is no checkpoint.bin", options.folder.string()));
+  }
+  return couple::read_case(options.folder / "case.yaml");
+}
+
+/// That which begins, or goes on from a checkpoint.
+couple::Simulation make_simulation(const couple::Case& input, const std::optional<couple::Checkpoint>& checkpoint,
+                                   int threads) {
+  if (checkpoint) couple::require_case_of(*checkpoint, RunWriter::case_in_folder(input));
+  if (!checkpoint || !started(*checkpoint)) return couple::Simulation(input, threads);
+  return couple::Simulation(input, checkpoint->state, threads);
+}
+
 /// One run: the simulation, where its results go, and what is shown of it.
 class Run {
  public:
   explicit Run(const RunOptions& options)
       : options_(options),
-        simulation_(couple::read_case(options.case_file, options.overrides, &warnings_), options.threads),
-        writer_(options.folder),
-        progress_(simulation_.input().stop.time, options.quiet) {
+        input_(read_case_of(options, warnings_)),
+        writer_(options.folder, options.earlier),
+        simulation_(make_simulation(input_, writer_.checkpoint(), options.threads)),
+        progress_(input_.stop.time, options.quiet) {
+    if (writer_.checkpoint()) {
+      input_.path = writer_.checkpoint()->case_path;
+      earlier_time_ = wall_time_of(*writer_.checkpoint());
+    }
     record_.version = SLOPE_VERSION;
     record_.end_reason = "running";
     record_.threads = options.threads;
   }
 
   ExitCode execute() {
-    writer_.write_case(simulation_.input());
     log_beginning();
+    const bool goes_on = writer_.checkpoint() && started(*writer_.checkpoint());
+    if (goes_on && simulation_.summary().end_reason != "running") {
+      progress_.say(fmt::format("{}: the run has come to its end already", writer_.folder().string()));
+      return ExitCode::fine;
+    }
+    if (!writer_.checkpoint()) writer_.write_case(input_);
     try {
-      if (start()) {
+      if (goes_on ? resume() : start()) {
         while (!advance()) {
         }
       }
@@ -52,7 +84,7 @@ class Run {
  private:
   void log_beginning() {
     writer_.log(fmt::format("slope-sim {}, {:%Y-%m-%d %H:%M:%S} UTC", SLOPE_VERSION, fmt::gmtime(std::time(nullptr))));
-    writer_.log(fmt::format("case {}", options_.case_file.string()));
+    writer_.log(fmt::format("case {}", input_.path));
     for (const std::string& assignment : options_.overrides) writer_.log(fmt::format("--set {}", assignment));
     writer_.log(fmt::format("{} thread{}", options_.threads, options_.threads == 1 ? "" : "s"));
     for (const couple::Problem& warning : warnings_) {
@@ -61,8 +93,21 @@ class Run {
     }
   }
 
+  /// Goes on where the checkpoint was written.
+  bool resume() {
+    writer_.resume();
+    has_started_ = true;
+    progress_.begin_steps();
+    const std::string text = "resumed at " + progress_.text(simulation_.progress());
+    writer_.log(text);
+    progress_.say(text);
+    write_summary();
+    return true;
+  }
+
   /// @return whether the initial state was found, and not interrupted.
   bool start() {
+    write_checkpoint();
     write_summary();
     progress_.say("initial state");
     const bool found = simulation_.initialise([this](const couple::InitialProgress& progress) {
@@ -82,6 +127,8 @@ class Run {
     writer_.begin_budget(couple::Simulation::budget_columns());
     add_rows();
     writer_.add_snapshot(simulation_.particles(), "start");
+    has_started_ = true;
+    write_checkpoint();
     write_summary();
     return true;
   }
@@ -91,7 +138,7 @@ class Run {
     const couple::Summary summary = simulation_.summary();
     if (summary.stands_before) return;
     const std::string text =
-        verdict_text(simulation_.input(), summary) +
+        verdict_text(input_, summary) +
         "; what follows is how it falls. To see what comes later, make it stronger, flatter or drier";
     writer_.log(text);
     progress_.say(text);
@@ -112,7 +159,24 @@ class Run {
       writer_.log(progress_.text(progress));
     }
     progress_.show(progress);
+    if (!event.finished) keep_safe();
     return event.finished;
+  }
+
+  /// Writes a checkpoint if it is time to, or somebody asked for it.
+  void keep_safe() {
+    const double since = progress_.elapsed() - last_checkpoint_;
+    const bool asked = checkpoint_requested();
+    if (!asked && since < std::max(options_.checkpoint_interval, cost_factor * checkpoint_cost_)) return;
+    write_checkpoint();
+    if (asked) writer_.log("checkpoint on request: " + progress_.text(simulation_.progress()));
+  }
+
+  void write_checkpoint() {
+    const double begin = progress_.elapsed();
+    writer_.write_checkpoint(input_, simulation_.state(), has_started_, earlier_time_ + begin);
+    last_checkpoint_ = progress_.elapsed();
+    checkpoint_cost_ = last_checkpoint_ - begin;
   }
 
   void add_rows() {
@@ -121,7 +185,7 @@ class Run {
   }
 
   void note_onset() {
-    const std::string text = "onset " + onset_text(simulation_.input(), simulation_.summary());
+    const std::string text = "onset " + onset_text(input_, simulation_.summary());
     writer_.log(text);
     progress_.say(text);
     write_summary();
@@ -130,12 +194,14 @@ class Run {
   void finish() {
     record_.end_reason = simulation_.summary().end_reason;
     conclude();
+    write_checkpoint();
   }
 
   /// Saves the state that the run was left in.
   ExitCode break_off(const std::string& reason, const std::string& message, ExitCode code) {
     record_.end_reason = reason;
     record_.message = message;
+    if (has_started_) write_checkpoint();
     if (!message.empty()) {
       progress_.clear();
       std::fprintf(stderr, "slope-sim: %s\n", message.c_str());
@@ -150,7 +216,7 @@ class Run {
 
   void conclude() {
     write_summary();
-    const std::string report = report_text(simulation_.input(), simulation_.summary(), record_);
+    const std::string report = report_text(input_, simulation_.summary(), record_);
     writer_.log(report);
     if (options_.quiet) return;
     progress_.clear();
@@ -159,22 +225,27 @@ class Run {
   }
 
   void write_summary() {
-    record_.wall_time = progress_.elapsed();
-    writer_.write_summary(simulation_.input(), simulation_.summary(), record_);
+    record_.wall_time = earlier_time_ + progress_.elapsed();
+    writer_.write_summary(input_, simulation_.summary(), record_);
   }
 
   const RunOptions& options_;
   std::vector<couple::Problem> warnings_;  // of the case
-  couple::Simulation simulation_;
+  couple::Case input_;
   RunWriter writer_;
+  couple::Simulation simulation_;
   ProgressLine progress_;
   RunRecord record_;
+  bool has_started_ = false;                              // the initial state has been found
+  double earlier_time_ = 0.0;                             // wall time before this program went on with the run (s)
+  double last_checkpoint_ = 0.0, checkpoint_cost_ = 0.0;  // wall time when it was done, and that it took (s)
 };
 
 }  // namespace
 
 ExitCode run(const RunOptions& options) {
   catch_interruptions();
+  catch_checkpoint_requests();
   return Run(options).execute();
 }
 

@@ -15,16 +15,30 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array run_files{"case.yaml", "log.txt", "history.csv", "budget.csv", "summary.json", "summary.json.tmp"};
+constexpr std::array run_files{"case.yaml",        "log.txt",       "history.csv",
+                               "budget.csv",       "summary.json",  "checkpoint.bin",
+                               "summary.json.tmp", "case.yaml.tmp", "checkpoint.bin.tmp"};
+constexpr std::string_view log_mark = "slope-sim ";  // with which every log begins
+
+// Notes of a checkpoint.
+constexpr const char* note_started = "started";
+constexpr const char* note_history = "history bytes";
+constexpr const char* note_budget = "budget bytes";
+constexpr const char* note_particles = "particle files";
+constexpr const char* note_wall_time = "wall time (s)";
 
 bool is_particle_file(const fs::path& file) {
   const std::string name = file.filename().string();
-  return name.starts_with("particles") && (name.ends_with(".vtp") || name.ends_with(".pvd"));
+  return name.starts_with("particles") && (name.ends_with(".vtp") || name.ends_with(".pvd") || name.ends_with(".part"));
 }
 
-/// A run writes its case and its log before anything else.
+/// A run makes its log before anything else. One that was killed at once has left it empty.
 bool holds_run(const fs::path& folder) {
-  return fs::exists(folder / "case.yaml") && fs::exists(folder / "log.txt");
+  if (!fs::is_regular_file(folder / "log.txt")) return false;
+  std::ifstream log(folder / "log.txt", std::ios::binary);
+  std::string beginning(log_mark.size(), ' ');
+  log.read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
+  return log.gcount() == 0 || beginning == log_mark;
 }
 
 void remove_run(const fs::path& folder) {
@@ -36,33 +50,63 @@ void remove_run(const fs::path& folder) {
   for (const fs::path& file : particle_files) fs::remove(file);
 }
 
-void prepare(const fs::path& folder) {
-  fs::create_directories(folder);
-  if (fs::is_empty(folder)) return;
+/// @return whether there is an earlier run to go on with
+bool prepare(const fs::path& folder, EarlierRun earlier) {
+  if (fs::is_empty(folder)) return false;
   if (!holds_run(folder)) {
     throw couple::FileError(
         fmt::format("{}: holds something else than a run of slope-sim; choose another folder", folder.string()));
   }
+  if (earlier == EarlierRun::refuse) {
+    throw couple::FileError(
+        fmt::format("{}: holds an earlier run; --resume goes on with it, --overwrite replaces it", folder.string()));
+  }
+  if (earlier == EarlierRun::resume && fs::exists(folder / "checkpoint.bin")) return true;
   remove_run(folder);
+  return false;
+}
+
+double note(const couple::Checkpoint& checkpoint, const char* name) {
+  const auto found = checkpoint.notes.find(name);
+  if (found == checkpoint.notes.end())
+    throw couple::FileError(fmt::format("the checkpoint does not tell \"{}\"", name));
+  return found->second;
 }
 
 }  // namespace
 
-RunWriter::RunWriter(fs::path folder) : folder_(std::move(folder)) {
+bool started(const couple::Checkpoint& checkpoint) {
+  return note(checkpoint, note_started) != 0.0;
+}
+
+double wall_time_of(const couple::Checkpoint& checkpoint) {
+  return note(checkpoint, note_wall_time);
+}
+
+RunWriter::RunWriter(fs::path folder, EarlierRun earlier) : folder_(std::move(folder)) {
+  bool goes_on = false;
   try {
-    prepare(folder_);
+    fs::create_directories(folder_);
+    lock_.emplace(folder_);
+    goes_on = prepare(folder_, earlier);
   } catch (const fs::filesystem_error& error) {
     throw couple::FileError(
         fmt::format("{}: cannot be used as output folder: {}", folder_.string(), error.code().message()));
   }
+  if (goes_on) checkpoint_ = couple::read_checkpoint(folder_ / "checkpoint.bin");
   errno = 0;
-  log_.open(folder_ / "log.txt");
+  log_.open(folder_ / "log.txt", goes_on ? std::ios::app : std::ios::trunc);
   if (!log_)
     throw couple::FileError(fmt::format("{}: cannot be written: {}", (folder_ / "log.txt").string(), system_message()));
-  particles_.emplace(folder_);
+  if (!goes_on) particles_.emplace(folder_);
 }
 
-void RunWriter::write_case(couple::Case input) {
+couple::Case RunWriter::case_in_folder(couple::Case input) {
+  input.figures.profile_reference = fs::path(input.figures.profile_reference).filename().string();
+  return input;
+}
+
+void RunWriter::write_case(const couple::Case& input) {
   if (!input.figures.profile_reference.empty()) {
     const fs::path source = fs::path(input.path).parent_path() / input.figures.profile_reference;
     const fs::path copy = folder_ / source.filename();
@@ -73,9 +117,37 @@ void RunWriter::write_case(couple::Case input) {
         throw couple::FileError(
             fmt::format("{}: cannot be copied to {}: {}", source.string(), folder_.string(), error.message()));
     }
-    input.figures.profile_reference = source.filename().string();
   }
-  write_at_once(folder_ / "case.yaml", couple::resolved_yaml(input));
+  write_at_once(folder_ / "case.yaml", couple::resolved_yaml(case_in_folder(input)));
+}
+
+void RunWriter::resume() {
+  const auto count = [this](const char* name) { return static_cast<std::size_t>(note(checkpoint_.value(), name)); };
+  particles_.emplace(folder_, count(note_particles));
+  synchronised_ = particles_->written().size();
+  history_.emplace(folder_ / "history.csv", count(note_history));
+  budget_.emplace(folder_ / "budget.csv", count(note_budget));
+}
+
+void RunWriter::write_checkpoint(const couple::Case& input, couple::SimulationState state, bool started,
+                                 double wall_time) {
+  // what a checkpoint counts on has to be on the disk before it is
+  const std::vector<Snapshot>& snapshots = particles_.value().written();
+  if (synchronised_ < snapshots.size()) synchronise_file(folder_ / particle_collection);
+  for (; synchronised_ < snapshots.size(); ++synchronised_) synchronise_file(snapshots[synchronised_].file);
+  const auto length = [](std::optional<HistoryFile>& file) {
+    return file ? static_cast<double>(file->synchronise()) : 0.0;
+  };
+  couple::Checkpoint checkpoint;
+  checkpoint.case_path = input.path;
+  checkpoint.case_text = couple::resolved_yaml(case_in_folder(input));
+  checkpoint.notes = {{note_started, started ? 1.0 : 0.0},
+                      {note_history, length(history_)},
+                      {note_budget, length(budget_)},
+                      {note_particles, static_cast<double>(snapshots.size())},
+                      {note_wall_time, wall_time}};
+  checkpoint.state = std::move(state);
+  couple::write_checkpoint(folder_ / "checkpoint.bin", checkpoint);
 }
 
 void RunWriter::begin_history(const std::vector<couple::HistoryColumn>& columns) {

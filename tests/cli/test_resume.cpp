@@ -1,0 +1,166 @@
+// Runs that are stopped, killed and gone on with.
+
+#include <gtest/gtest.h>
+#include <stdlib.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <fstream>
+#include <random>
+#include <sstream>
+#include <thread>
+
+#include "program.hpp"
+
+namespace slope::tools::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Resume : public testing::Test {
+ protected:
+  Resume() {
+    std::string name = (fs::temp_directory_path() / "slope-resume-XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no folder can be made at " + name);
+    scratch_ = name;
+  }
+  ~Resume() override {
+    std::error_code ignored;
+    fs::remove_all(scratch_, ignored);
+  }
+
+  /// A run of a second or two with histories and snapshots, checkpoints as often as may be.
+  [[nodiscard]] std::vector<std::string> run(const std::string& folder, std::vector<std::string> more = {}) const {
+    std::vector<std::string> words{"run",     std::string(SLOPE_CLI_TESTS) + "/box.yaml",
+                                   "-o",      (scratch_ / folder).string(),
+                                   "--set",   "stop.time=4 s",
+                                   "--set",   "clock.adaptive=false",
+                                   "--set",   "output.snapshot_interval=0.5 s",
+                                   "--set",   "initial.stress=self_weight",
+                                   "--quiet", "--checkpoint-interval",
+                                   "0"};
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+  }
+  [[nodiscard]] Outcome call(const std::vector<std::string>& words) const { return slope_sim(words, scratch_); }
+
+  /// A file without what depends on the clock on the wall.
+  static std::string product(const fs::path& file) {
+    if (file.filename() != "summary.json") return content_of(file);
+    std::istringstream stream(content_of(file));
+    std::string kept;
+    for (std::string line; std::getline(stream, line);) {
+      if (line.find("\"wall_time_s\"") == std::string::npos && line.find("\"threads\"") == std::string::npos)
+        kept += line;
+    }
+    return kept;
+  }
+  /// Both folders have the same files with the same content, save log and checkpoint.
+  void expect_same(const std::string& one, const std::string& other) const {
+    std::vector<std::string> names, others;
+    for (const auto& entry : fs::directory_iterator(scratch_ / one)) names.push_back(entry.path().filename().string());
+    for (const auto& entry : fs::directory_iterator(scratch_ / other))
+      others.push_back(entry.path().filename().string());
+    std::ranges::sort(names);
+    std::ranges::sort(others);
+    ASSERT_EQ(names, others);
+    for (const std::string& name : names) {
+      if (name == "log.txt" || name == "checkpoint.bin") continue;
+      EXPECT_EQ(product(scratch_ / one / name), product(scratch_ / other / name)) << name;
+    }
+  }
+  /// Whether the history comes to have that many rows, within a minute.
+  [[nodiscard]] bool has_rows(Program& program, const std::string& folder, long rows) const {
+    const auto limit = std::chrono::steady_clock::now() + std::chrono::minutes(1);
+    while (std::chrono::steady_clock::now() < limit && program.running()) {
+      const std::string content = content_of(scratch_ / folder / "history.csv");
+      if (std::count(content.begin(), content.end(), '\n') > rows) return true;
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+    return false;
+  }
+
+  fs::path scratch_;
+};
+
+TEST_F(Resume, ARunThatIsKilledAgainAndAgainEndsAsIfItWereNot) {
+  const char* asked = std::getenv("SLOPE_KILLS");
+  const int kills = asked != nullptr ? std::stoi(asked) : 20;
+  const auto begin = std::chrono::steady_clock::now();
+  ASSERT_EQ(call(run("whole")).exit_code, 0);
+  const double duration = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  std::mt19937 random(20261126);
+  std::uniform_real_distribution<double> moment(0.0, 0.6 * duration);
+  int killed = 0, ended = 0;
+  while (killed < kills) {
+    Program program(run("killed", {"--resume", "--threads", killed % 2 == 0 ? "1" : "2"}), scratch_);
+    std::this_thread::sleep_for(std::chrono::duration<double>(moment(random)));
+    if (program.running()) {
+      program.signal(SIGKILL);
+      program.wait();
+      ++killed;
+      continue;
+    }
+    ASSERT_EQ(program.wait().exit_code, 0) << content_of(scratch_ / "errors");
+    expect_same("whole", "killed");
+    fs::remove_all(scratch_ / "killed");
+    ++ended;
+  }
+  const Outcome last = call(run("killed", {"--resume"}));
+  ASSERT_EQ(last.exit_code, 0) << last.errors;
+  expect_same("whole", "killed");
+  RecordProperty("ends_between_kills", ended);
+}
+
+TEST_F(Resume, AnInterruptedRunGoesOnWithAnotherNumberOfThreads) {
+  ASSERT_EQ(call(run("whole")).exit_code, 0);
+  Program program(run("stopped"), scratch_);
+  ASSERT_TRUE(has_rows(program, "stopped", 20));
+  program.signal(SIGTERM);
+  ASSERT_EQ(program.wait().exit_code, 130);
+  const Outcome outcome = call({"resume", (scratch_ / "stopped").string(), "--threads", "2", "--quiet"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
+  expect_same("whole", "stopped");
+  EXPECT_EQ(call({"resume", (scratch_ / "stopped").string()}).errors,
+            (scratch_ / "stopped").string() + ": the run has come to its end already\n");
+}
+
+TEST_F(Resume, ACheckpointIsWrittenOnRequest) {
+  std::vector<std::string> words = run("asked");
+  words.back() = "1e6";
+  Program program(words, scratch_);
+  ASSERT_TRUE(has_rows(program, "asked", 10));
+  program.signal(SIGUSR1);
+  ASSERT_EQ(program.wait().exit_code, 0);
+  EXPECT_NE(content_of(scratch_ / "asked" / "log.txt").find("checkpoint on request"), std::string::npos);
+}
+
+TEST_F(Resume, ASecondRunIsKeptOut) {
+  Program program(run("taken", {"--set", "stop.time=1 h"}), scratch_);
+  ASSERT_TRUE(has_rows(program, "taken", 3));
+  for (const auto& words : {run("taken", {"--overwrite"}), {"resume", (scratch_ / "taken").string()}}) {
+    fs::create_directory(scratch_ / "second");
+    const Outcome second = slope_sim(words, scratch_ / "second");
+    EXPECT_EQ(second.exit_code, 4);
+    EXPECT_NE(second.errors.find(": another slope-sim is at work in it"), std::string::npos) << second.errors;
+    fs::remove_all(scratch_ / "second");
+  }
+  EXPECT_TRUE(program.running());
+}
+
+TEST_F(Resume, WhatDoesNotFitIsRefused) {
+  ASSERT_EQ(call(run("run", {"--set", "stop.time=0.2 s"})).exit_code, 0);
+  const std::string folder = (scratch_ / "run").string();
+  const Outcome other = call(run("run", {"--set", "stop.time=0.3 s", "--resume"}));
+  EXPECT_EQ(other.exit_code, 2);
+  EXPECT_NE(other.errors.find("is not the case of the checkpoint: line "), std::string::npos) << other.errors;
+  EXPECT_EQ(call({"resume", (scratch_ / "none").string()}).exit_code, 4);
+  fs::resize_file(scratch_ / "run" / "checkpoint.bin", 1000);
+  const Outcome cut = call({"resume", folder});
+  EXPECT_EQ(cut.exit_code, 4);
+  EXPECT_NE(cut.errors.find("checkpoint.bin: is cut off: it ends after 1000 of "), std::string::npos) << cut.errors;
+}
+
+}  // namespace
+}  // namespace slope::tools::test
