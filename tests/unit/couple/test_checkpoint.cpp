@@ -12,8 +12,9 @@ namespace slope::couple {
 namespace {
 
 const Case& a_case() {
-  static const Case input = read_case(std::string(SLOPE_CASES) + "/quick.yaml",
-                                      {"domain.cell_size=1 m", "walls={base: friction, base_friction: 0.4}"});
+  static const Case input =
+      read_case(std::string(SLOPE_CASES) + "/quick.yaml",
+                {"domain.cell_size=1 m", "walls={left: roller, right: roller, base: friction, base_friction: 0.4}"});
   return input;
 }
 

@@ -101,7 +101,9 @@ TEST(Branch, OfAnotherGroundIsRefused) {
   coarse.initialise();
   EXPECT_THROW(Simulation(case_of({"domain.cell_size=0.5 m"}), coarse.state()), InputError);
   EXPECT_THROW(Simulation(case_of({"coupling.skeleton=rigid"}), coarse.state()), InputError);
-  EXPECT_THROW(Simulation(case_of({"walls={left: friction, left_friction: 0.3}"}), coarse.state()), InputError);
+  EXPECT_THROW(
+      Simulation(case_of({"walls={left: friction, left_friction: 0.3, right: roller, base: fixed}"}), coarse.state()),
+      InputError);
 }
 
 }  // namespace
