@@ -162,5 +162,38 @@ TEST_F(Resume, WhatDoesNotFitIsRefused) {
   EXPECT_NE(cut.errors.find("checkpoint.bin: is cut off: it ends after 1000 of "), std::string::npos) << cut.errors;
 }
 
+/// A blow that the first step, at the soil's own stable length, would turn its surface inside out with.
+std::vector<std::string> blow(const std::string& folder, const std::string& end) {
+  return {"run",    std::string(SLOPE_CLI_TESTS) + "/box.yaml",
+          "-o",     folder,
+          "--set",  "stop.time=" + end,
+          "--set",  "soils.clay.youngs_modulus=100 kPa",
+          "--set",  "numerics.courant_number=0.9",
+          "--set",  "coupling.skeleton=rigid",
+          "--set",  "clock.adaptive=false",
+          "--set",  "loads=[{name: blow, at: ground_surface, traction: [0 kPa, -200 kPa]}]",
+          "--quiet"};
+}
+
+TEST_F(Resume, AStepThatBrokeIsTriedAgainWithAShorterOne) {
+  const Outcome outcome = call(blow((scratch_ / "blow").string(), "0.05 s"));
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
+  EXPECT_NE(content_of(scratch_ / "blow" / "summary.json").find("\"steps\": 2"), std::string::npos) << "for one";
+}
+
+TEST_F(Resume, ARunThatGivesUpLeavesItsLastGoodState) {
+  const std::string folder = (scratch_ / "blow").string();
+  const Outcome outcome = call(blow(folder, "0.2 s"));
+  ASSERT_EQ(outcome.exit_code, 3) << outcome.errors;
+  EXPECT_NE(outcome.errors.find("; shorter steps broke too"), std::string::npos) << outcome.errors;
+  EXPECT_EQ(content_of(scratch_ / "blow" / "history.csv").find("nan"), std::string::npos);
+  const std::string last = content_of(scratch_ / "blow" / "particles_0001.vtp");
+  ASSERT_NE(last, "");
+  const Outcome again = call({"resume", folder, "--quiet"});
+  EXPECT_EQ(again.exit_code, 3);
+  EXPECT_EQ(again.errors, outcome.errors);
+  EXPECT_EQ(content_of(scratch_ / "blow" / "particles_0001.vtp"), last);
+}
+
 }  // namespace
 }  // namespace slope::tools::test
