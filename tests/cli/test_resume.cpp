@@ -113,6 +113,21 @@ TEST_F(Resume, ARunThatIsKilledAgainAndAgainEndsAsIfItWereNot) {
   RecordProperty("ends_between_kills", ended);
 }
 
+TEST_F(Resume, ARunThatWasStoppedBeforeItsStartBeginsAnew) {
+  Program program(run("early", {"--set", "domain.cell_size=0.1 m"}), scratch_);
+  const fs::path checkpoint = scratch_ / "early" / "checkpoint.bin";
+  const auto limit = std::chrono::steady_clock::now() + std::chrono::minutes(1);
+  while (!fs::exists(checkpoint) && std::chrono::steady_clock::now() < limit) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+  program.signal(SIGKILL);
+  program.wait();
+  ASSERT_TRUE(fs::exists(checkpoint));
+  ASSERT_FALSE(fs::exists(scratch_ / "early" / "history.csv"));
+  Program again({"resume", (scratch_ / "early").string(), "--quiet"}, scratch_);
+  EXPECT_TRUE(has_rows(again, "early", 3)) << content_of(scratch_ / "errors");
+}
+
 TEST_F(Resume, AnInterruptedRunGoesOnWithAnotherNumberOfThreads) {
   ASSERT_EQ(call(run("whole")).exit_code, 0);
   Program program(run("stopped"), scratch_);

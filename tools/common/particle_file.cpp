@@ -175,9 +175,12 @@ ParticleFileSeries::ParticleFileSeries(fs::path directory, std::size_t kept_file
   }
   written_.resize(kept_files);
   std::error_code error;
-  for (std::size_t i = kept_files; fs::remove(directory_ / particle_file_name(i), error);) ++i;
+  std::size_t beyond = kept_files;
+  while (fs::remove(directory_ / particle_file_name(beyond), error)) ++beyond;
+  if (!error) fs::remove(directory_ / (particle_file_name(beyond) + ".part"), error);
+  if (!error && kept_files == 0) fs::remove(directory_ / particle_collection, error);
   if (error) throw FileError(fmt::format("{}: cannot be changed: {}", directory_.string(), error.message()));
-  write_collection(written_, directory_ / particle_collection);
+  if (kept_files > 0) write_collection(written_, directory_ / particle_collection);
 }
 
 fs::path ParticleFileSeries::write(const couple::ParticleTable& particles, std::string_view label) {

@@ -99,6 +99,7 @@ RunWriter::RunWriter(fs::path folder, EarlierRun earlier) : folder_(std::move(fo
   if (!log_)
     throw couple::FileError(fmt::format("{}: cannot be written: {}", (folder_ / "log.txt").string(), system_message()));
   if (!goes_on) particles_.emplace(folder_);
+  if (goes_on && !started(*checkpoint_)) particles_.emplace(folder_, 0);
 }
 
 couple::Case RunWriter::case_in_folder(couple::Case input) {
