@@ -1,8 +1,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
+#include <map>
 
 #include "case_format.hpp"
 #include "frame.hpp"
@@ -10,6 +12,7 @@
 #include "initial_state.hpp"
 #include "polygon.hpp"
 #include "slope/couple/geometry.hpp"
+#include "slope/couple/text_file.hpp"
 #include "standing_water_share.hpp"
 #include "units.hpp"
 
@@ -18,7 +21,12 @@ namespace slope::couple {
 namespace {
 
 /// More cells than this are taken for a slip of the unit.
-constexpr double most_cells = 4.0e6;
+constexpr double most_cells = 4.0e6, most_particles = 4.0e6;
+/// Corners of all regions together, and these times the lines of the particle lattice.
+constexpr std::size_t most_corners = 50'000;
+constexpr double most_cuts = 1.0e9;
+/// Of water boundaries, and of loads.
+constexpr std::size_t most_conditions = 1000;
 /// Between two reservoirs, so that the grid can carry the difference of their pressures.
 constexpr double least_gap_cells = 2.0;
 
@@ -53,8 +61,6 @@ void check_domain(const Input& place, const Domain& domain) {
 void check_region(const Input& place, const Domain& domain, const Region& region) {
   const bool drawn = place.has("polygon");
   const Input outline = place.at(drawn ? "polygon" : "surface");
-  Domain whole_particles = domain;
-  whole_particles.surface_particles = SurfaceParticles::lattice;
   const double tolerance = 1.0e-9 * domain.cell_size;
   for (std::size_t i = 0; i < region.polygon.size(); ++i) {
     const Point& corner = region.polygon[i];
@@ -70,9 +76,44 @@ void check_region(const Input& place, const Domain& domain, const Region& region
                                 text_of(region.polygon[edges->first]), text_of(region.polygon[edges->second])));
   } else if (std::abs(signed_area(region.polygon)) < 1.0e-9 * domain.cell_size * domain.cell_size) {
     outline.problem("the polygon encloses no area; its corners lie on one line");
-  } else if (fill_regions(whole_particles, {region}).x.empty()) {
+  } else if (const auto corner = drawn ? turning_corner(region.polygon) : std::nullopt) {
+    outline.item(*corner).problem(fmt::format("the outline turns back on itself at {}; leave out what has no area",
+                                              text_of(region.polygon[*corner])));
+  } else if (!holds_lattice_point(domain, region)) {
     outline.problem(
         fmt::format("no particle lies in the polygon; it is too small for cells of {}", length_text(domain.cell_size)));
+  }
+}
+
+/// Says what is more than a run can hold, before any of it is made.
+void check_size(const Input& root, const Case& input) {
+  const double per_side = std::sqrt(input.domain.particles_per_cell);
+  const auto lines = [&](std::size_t axis) {
+    return per_side * (input.domain.upper[axis] - input.domain.lower[axis]) / input.domain.cell_size;
+  };
+  const double spacing = input.domain.cell_size / per_side;
+  double area = 0.0;
+  std::size_t corners = 0;
+  for (const Region& region : input.regions) {
+    area += std::abs(signed_area(region.polygon));
+    corners += region.polygon.size();
+  }
+  const double particles = std::min(area / (spacing * spacing), lines(0) * lines(1));
+  const Input geometry = root.at("geometry");
+  if (particles > most_particles) {
+    root.at("domain")
+        .at("cell_size")
+        .problem(fmt::format("makes about {:.2g} particles, at most {:g} are possible; choose a larger cell or fewer "
+                             "particles_per_cell",
+                             particles, most_particles));
+  }
+  if (corners > most_corners) {
+    geometry.problem(fmt::format("has {} corners, at most {} are possible; thin the lines out", corners, most_corners));
+  } else if (static_cast<double>(corners) * (lines(0) + lines(1)) > most_cuts) {
+    geometry.problem(
+        fmt::format("has {} corners, too many for {:.2g} columns and rows of particles; thin the lines "
+                    "out, or choose a larger cell",
+                    corners, lines(0) + lines(1)));
   }
 }
 
@@ -92,6 +133,10 @@ void check_points(const Input& root, const Case& input) {
 
 template <class Condition>
 void check_names(const Input& place, const std::vector<Condition>& conditions) {
+  if (conditions.size() > most_conditions) {
+    place.problem(fmt::format("has {} items, at most {} are possible", conditions.size(), most_conditions));
+    return;
+  }
   for (std::size_t i = 0; i < conditions.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
       if (conditions[i].name != conditions[j].name) continue;
@@ -129,6 +174,7 @@ void check_overlaps(const Input& place, const std::vector<WaterBoundary>& bounda
   const auto drain = [](const WaterBoundary& boundary) {
     return std::holds_alternative<FreeDrainage>(boundary.condition);
   };
+  if (boundaries.size() > most_conditions) return;
   for (std::size_t i = 0; i < boundaries.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
       const WaterBoundary &a = boundaries[i], &b = boundaries[j];
@@ -263,10 +309,18 @@ void check_times(const Input& list, const std::vector<double>& times, double end
   }
 }
 
+constexpr std::size_t most_reference_bytes = 100'000'000;
+constexpr const char* reference_column = "suction_head_m_t";
+
 /// More files or rows than this are taken for a slip of the unit.
 constexpr double most_snapshots = 1.0e4, most_rows = 1.0e6;
 
 void check_output(const Input& place, const Case& input) {
+  if (static_cast<double>(input.output.snapshots.size()) > most_snapshots) {
+    place.at("snapshots")
+        .problem(fmt::format("makes {} particle files, at most {:g} are possible", input.output.snapshots.size(),
+                             most_snapshots));
+  }
   const auto check = [&](const char* key, double interval, double most, const char* what) {
     if (input.stop.time / interval <= most) return;
     place.at(key).problem(
@@ -330,8 +384,61 @@ void check_reference(const Input& root, const Case& input) {
   if (input.figures.profile_reference.empty()) return;
   const auto path = std::filesystem::path(input.path).parent_path() / input.figures.profile_reference;
   std::error_code error;
-  if (std::filesystem::is_regular_file(path, error)) return;
-  root.at("figures").at("profile_reference").problem(fmt::format("there is no file {}", path.string()));
+  const Input place = root.at("figures").at("profile_reference");
+  if (!std::filesystem::exists(path, error)) {
+    place.problem(fmt::format("there is no file {}", path.string()));
+    return;
+  }
+  try {
+    const std::string content = read_text_file(path, most_reference_bytes);
+    if (content.find("z_m") != std::string::npos && content.find(reference_column) != std::string::npos) return;
+    place.problem(fmt::format("{} is no table with the columns z_m and {}<time>", path.string(), reference_column));
+  } catch (const FileError& wrong) {
+    place.problem(wrong.what());
+  }
+}
+
+/// A mineral is seldom lighter than water or heavier than lead ore.
+void doubt_grains(const Input& soils, const Case& input) {
+  constexpr double lightest = 1000.0, heaviest = 8000.0;
+  for (const Soil& soil : input.soils) {
+    const double density = soil.solid.grain_density;
+    if (density >= lightest && density <= heaviest) continue;
+    soils.at(soil.name)
+        .at("grain_density")
+        .warning(fmt::format("{} is {}; is the unit right?", quantity_text(density, Dimension::density),
+                             density < lightest ? "lighter than water" : "heavier than any mineral of a soil"));
+  }
+}
+
+/// Soil that hangs in the air falls at once.
+void doubt_hanging_soil(const Input& place, const InitialParticles& particles, const Frame& frame, int columns) {
+  constexpr int reach = 2;  // squares; slivers leave gaps of one
+  std::map<std::array<int, 2>, std::size_t> waiting;
+  for (std::size_t p = 0; p < particles.x.size(); ++p) waiting[{particles.column[p], particles.row[p]}] = p;
+  std::vector<std::array<int, 2>> held;
+  for (auto entry = waiting.begin(); entry != waiting.end();) {
+    const auto [column, row] = entry->first;
+    const bool at_wall = column < reach || column >= columns - reach || row < reach;
+    if (at_wall) held.push_back(entry->first);
+    entry = at_wall ? waiting.erase(entry) : std::next(entry);
+  }
+  while (!held.empty()) {
+    const auto [column, row] = held.back();
+    held.pop_back();
+    for (int i = -reach; i <= reach; ++i) {
+      for (int j = -reach; j <= reach; ++j) {
+        const auto found = waiting.find({column + i, row + j});
+        if (found == waiting.end()) continue;
+        held.push_back(found->first);
+        waiting.erase(found);
+      }
+    }
+  }
+  if (waiting.empty()) return;
+  const std::size_t p = waiting.begin()->second;
+  place.warning(fmt::format("the soil around {} touches neither a wall nor what stands on one: it hangs in the air",
+                            text_of(frame.position({particles.x[p], particles.y[p]}))));
 }
 
 }  // namespace
@@ -339,6 +446,7 @@ void check_reference(const Input& root, const Case& input) {
 void check_case(const Input& root, const Case& input) {
   if (root.clean("domain")) check_domain(root.at("domain"), input.domain);
   const Input geometry = root.at("geometry");
+  if (root.clean("domain") && root.clean("geometry")) check_size(root, input);
   if (root.clean("domain") && root.clean("geometry")) {
     for (std::size_t i = 0; i < input.regions.size(); ++i)
       check_region(geometry.item(i), input.domain, input.regions[i]);
@@ -363,11 +471,17 @@ void check_case(const Input& root, const Case& input) {
       if (root.clean("coupling")) check_shores(water, placed, particles, frame);
     }
     if (root.clean("loads")) check_places(root.at("loads"), placed.tractions, particles);
+    if (input.scheme != Scheme::seepage) {
+      const double columns = std::sqrt(placed.domain.particles_per_cell) *
+                             (placed.domain.upper[0] - placed.domain.lower[0]) / placed.domain.cell_size;
+      doubt_hanging_soil(geometry, particles, frame, static_cast<int>(std::lround(columns)));
+    }
     if (root.clean("water_boundaries") && root.clean("initial") && root.clean("coupling")) {
       check_water_table(root.at("initial").at("water"), placed, particles, frame);
     }
   }
   if (root.clean("initial") && root.clean("soils")) check_k0(root, input);
+  if (root.clean("soils")) doubt_grains(root.at("soils"), input);
   if (root.clean("stop") && root.clean("output") && root.clean("figures")) {
     check_output(root.at("output"), input);
     check_times(root.at("output").at("snapshots"), input.output.snapshots, input.stop.time);

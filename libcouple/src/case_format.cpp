@@ -174,7 +174,7 @@ Field<Case> geometry_field() {
       result.regions.push_back({static_cast<std::size_t>(found - names.begin()), std::move(texts[i].polygon)});
       if (found != names.end() || names.empty() || !region.has("soil")) continue;
       region.at("soil").problem(
-          fmt::format("there is no soil \"{}\"{}", texts[i].soil, suggestion(texts[i].soil, names)));
+          fmt::format("there is no soil \"{}\"{}", shortened(texts[i].soil), suggestion(texts[i].soil, names)));
     }
   };
   const auto write = [format](const Case& input) {

@@ -149,7 +149,13 @@ Format<Reservoir> reservoir_format() {
 
 void read_table(const Input& input, const RainText& text, Rain& rain) {
   const auto path = std::filesystem::path(input.file()).parent_path() / text.file;
-  const auto read = read_hyetograph(path);
+  const auto read = [&]() -> std::variant<RainTable, std::string> {
+    try {
+      return read_hyetograph(path);
+    } catch (const FileError& error) {
+      return error.what();
+    }
+  }();
   if (const auto* wrong = std::get_if<std::string>(&read)) {
     input.at("file").problem(*wrong);
     return;

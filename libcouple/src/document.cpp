@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <utility>
 
@@ -21,6 +22,10 @@ Document Document::number(double value) {
   if (std::isfinite(value)) {
     document.kind = Kind::value;
     document.value = fmt::format("{}", value);
+    // YAML 1.1 takes 1e-06 for a text.
+    const auto exponent = document.value.find('e');
+    if (exponent != std::string::npos && document.value.find('.') == std::string::npos)
+      document.value.insert(exponent, ".0");
   }
   return document;
 }
@@ -131,10 +136,14 @@ bool is_plain(std::string_view text) {
   const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
   const auto digit = [](char c) { return c >= '0' && c <= '9'; };
   if (text.empty() || text.back() == ' ') return false;
-  for (const std::string_view word : {"true", "false", "null", "yes", "no", "on", "off", "True", "False", "Null"}) {
-    if (text == word) return false;
+  std::string lower(text);
+  std::transform(lower.begin(), lower.end(), lower.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  for (const std::string_view word : {"true", "false", "null", "yes", "no", "on", "off"}) {
+    if (lower == word) return false;
   }
-  const bool quantity = (digit(text.front()) || text.front() == '-') && text.find(' ') != std::string_view::npos;
+  const bool number = digit(text.front()) || (text.front() == '-' && text.size() > 1 && digit(text[1]));
+  const bool quantity = number && text.find(' ') != std::string_view::npos;
   if (!letter(text.front()) && !quantity) return false;
   return std::all_of(text.begin(), text.end(), [&](char c) {
     return letter(c) || digit(c) || std::string_view(" _-+./%()").find(c) != std::string_view::npos;
@@ -167,7 +176,7 @@ void write_yaml(const Document& document, const std::string& indent, std::string
   for (const Document& child : document.children) {
     if (!first || document.kind == Document::Kind::map) out += first ? "" : indent;
     first = false;
-    out += document.kind == Document::Kind::map ? child.key + ':' : "-";
+    out += document.kind == Document::Kind::map ? (is_plain(child.key) ? child.key : in_quotes(child.key)) + ':' : "-";
     if (child.children.empty() || !holds_maps(child)) {
       out += ' ' + flow_text(child) + '\n';
       continue;

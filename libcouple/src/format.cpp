@@ -7,12 +7,11 @@
 #include <cmath>
 #include <filesystem>
 
+#include "slope/couple/text_file.hpp"
+
 namespace slope::couple {
 
 namespace {
-
-/// A value longer than this is not repeated in a message.
-constexpr std::size_t longest_shown = 60;
 
 Document schema_of_type(const std::string& type) {
   Document schema = Document::map();
@@ -40,7 +39,7 @@ std::string kind_of(const Document& node) {
     case Document::Kind::empty:
       return "nothing";
     case Document::Kind::value:
-      return fmt::format("\"{}\"", node.value);
+      return fmt::format("\"{}\"", shortened(node.value));
     case Document::Kind::list:
       return "a list";
     case Document::Kind::map:
@@ -61,7 +60,8 @@ Format<double> quantity(Dimension dimension, const Range& range) {
       return;
     }
     value = std::get<double>(parsed);
-    if (!range.holds(value)) input.problem(fmt::format("must be {}, got {}", range.text(dimension), *written));
+    if (!range.holds(value))
+      input.problem(fmt::format("must be {}, got {}", range.text(dimension), shortened(*written)));
   };
   const auto write = [dimension](const double& value) {
     if (!std::isfinite(value)) return Document{};
@@ -81,7 +81,8 @@ Format<bool> flag() {
   const auto read = [](const Input& input, bool& value) {
     const auto word = expect_value(input, "true or false");
     if (!word) return;
-    if (*word != "true" && *word != "false") input.problem(fmt::format("expected true or false, got \"{}\"", *word));
+    if (*word != "true" && *word != "false")
+      input.problem(fmt::format("expected true or false, got \"{}\"", shortened(*word)));
     value = *word == "true";
   };
   return {read, [](const bool& value) { return Document::flag(value); }, schema_of_type("boolean")};
@@ -114,8 +115,8 @@ Format<std::string> name_text() {
     const auto word = expect_value(input, "a name");
     if (!word) return;
     if (!is_name(*word)) {
-      input.problem(
-          fmt::format("a name begins with a letter and has only letters, digits, _ and -; got \"{}\"", *word));
+      input.problem(fmt::format("a name begins with a letter and has only letters, digits, _ and -; got \"{}\"",
+                                shortened(*word)));
     }
     value = *word;
   };

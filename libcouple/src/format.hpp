@@ -11,6 +11,7 @@
 
 #include "input.hpp"
 #include "range.hpp"
+#include "slope/couple/text_file.hpp"
 #include "suggestion.hpp"
 
 /// How values stand in a case file. One description of a value both reads it, writes it and gives its JSON Schema, so
@@ -243,7 +244,7 @@ class Alternatives {
       if (alternative.check && input.problem_count() == before) alternative.check(input, value);
       return;
     }
-    chosen.problem("unknown " + discriminator_ + " \"" + *name + '"' + suggestion(*name, names()));
+    chosen.problem("unknown " + discriminator_ + " \"" + shortened(*name) + '"' + suggestion(*name, names()));
   }
 
   [[nodiscard]] Document write(const T& value) const {
@@ -292,7 +293,7 @@ Format<E> choice(std::vector<std::pair<std::string, E>> options) {
         return;
       }
     }
-    input.problem("unknown choice \"" + *word + '"' + suggestion(*word, names));
+    input.problem("unknown choice \"" + shortened(*word) + '"' + suggestion(*word, names));
   };
   const auto write = [options, values](const E& value) {
     for (std::size_t i = 0; i < options.size(); ++i) {

@@ -72,14 +72,6 @@ struct Piece {
   std::array<double, 4> contact{};  // length of soil on the left, right, lower and upper side of a cut square (m)
 };
 
-/// The last of the regions that holds the point; -1 if none does.
-int region_at(const std::vector<Region>& regions, const Point& point, double distance) {
-  for (std::size_t i = regions.size(); i-- > 0;) {
-    if (contains(regions[i].polygon, point, distance)) return static_cast<int>(i);
-  }
-  return -1;
-}
-
 /// The outlines of the regions, sorted into the lattice columns that they touch.
 class Outlines {
  public:
@@ -95,6 +87,26 @@ class Outlines {
   }
 
   [[nodiscard]] const std::vector<Edge>& over(int column) const { return edges_[static_cast<std::size_t>(column)]; }
+
+  /// The last of the regions that holds a point of a column, or whose outline runs through it; none if none does.
+  [[nodiscard]] std::optional<std::size_t> region_at(int column, const Point& point) const {
+    const double margin = tolerance * lattice_.spacing;
+    const std::vector<Edge>& edges = over(column);  // region by region
+    for (auto last = edges.rbegin(); last != edges.rend();) {
+      const std::size_t region = last->region;
+      bool inside = false, on_outline = false;
+      for (; last != edges.rend() && last->region == region; ++last) {
+        const Edge& edge = *last;
+        if (edge.right[0] < point[0] - margin || edge.left[0] > point[0] + margin) continue;
+        on_outline = on_outline || distance_to_edge(edge.left, edge.right, point) <= margin;
+        if (edge.left[0] <= point[0] && point[0] < edge.right[0] && edge.height_at(point[0]) > point[1]) {
+          inside = !inside;
+        }
+      }
+      if (inside || on_outline) return region;
+    }
+    return std::nullopt;
+  }
 
   /// Whether an outline runs through the inside of a square.
   [[nodiscard]] bool cut(int column, int row) const {
@@ -143,12 +155,13 @@ int largest_soil(const CellCut& cut, const std::vector<Region>& regions) {
 }
 
 std::vector<Piece> whole_pieces(const Lattice& lattice, const std::vector<Region>& regions) {
+  const Outlines outlines(lattice, regions);
   std::vector<Piece> pieces;
   lattice.each([&](int column, int row) {
     const Point centre = lattice.centre(column, row);
-    const int region = region_at(regions, centre, tolerance * lattice.spacing);
-    if (region < 0) return;
-    const int soil = static_cast<int>(regions[static_cast<std::size_t>(region)].soil);
+    const auto region = outlines.region_at(column, centre);
+    if (!region) return;
+    const int soil = static_cast<int>(regions[*region].soil);
     pieces.push_back({centre, lattice.spacing * lattice.spacing, soil, column, row, {}});
   });
   return pieces;
@@ -161,9 +174,9 @@ std::vector<Piece> cut_pieces(const Lattice& lattice, const std::vector<Region>&
   lattice.each([&](int column, int row) {
     const Point centre = lattice.centre(column, row);
     if (!outlines.cut(column, row)) {
-      const int region = region_at(regions, centre, tolerance * lattice.spacing);
-      if (region < 0) return;
-      const int soil = static_cast<int>(regions[static_cast<std::size_t>(region)].soil);
+      const auto region = outlines.region_at(column, centre);
+      if (!region) return;
+      const int soil = static_cast<int>(regions[*region].soil);
       pieces.push_back({centre, whole, soil, column, row, {}});
       return;
     }
@@ -343,6 +356,27 @@ void find_ground(const Lattice& lattice, const std::vector<Region>& regions, Ini
 }
 
 }  // namespace
+
+bool holds_lattice_point(const Domain& domain, const Region& region) {
+  const Lattice lattice(domain);
+  const Outlines outlines(lattice, {region});
+  const auto lines = [&](std::size_t axis, int count) {
+    const auto [low, high] =
+        std::ranges::minmax(region.polygon, {}, [axis](const Point& corner) { return corner[axis]; });
+    const double first = (low[axis] - domain.lower[axis]) / lattice.spacing - 1.0;
+    const double last = (high[axis] - domain.lower[axis]) / lattice.spacing + 1.0;
+    return std::pair(std::max(0, static_cast<int>(std::max(first, 0.0))),
+                     std::min(count - 1, static_cast<int>(std::min(last, static_cast<double>(count)))));
+  };
+  const auto [left, right] = lines(0, lattice.columns);
+  const auto [lower, upper] = lines(1, lattice.rows);
+  for (int column = left; column <= right; ++column) {
+    for (int row = lower; row <= upper; ++row) {
+      if (outlines.region_at(column, lattice.centre(column, row))) return true;
+    }
+  }
+  return false;
+}
 
 InitialParticles fill_regions(const Domain& domain, const std::vector<Region>& regions) {
   const Lattice lattice(domain);

@@ -6,10 +6,11 @@
 #include <array>
 #include <cctype>
 #include <cmath>
-#include <fstream>
 #include <optional>
+#include <sstream>
 #include <string_view>
 
+#include "slope/couple/text_file.hpp"
 #include "units.hpp"
 
 namespace slope::couple {
@@ -22,7 +23,7 @@ constexpr double driest_air = -20.0 * millimetre_per_day;      // no day ever to
 constexpr double gap = 1.5;                                    // usual steps
 constexpr double even_share = 0.75;                            // of the steps of a table whose gaps are odd
 
-constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+constexpr std::size_t most_bytes = 100'000'000;
 constexpr std::string_view expected_header =
     "expected a header such as \"time_h,intensity_mm_per_h\" (time in s, min, h or d; intensity in mm or m per s, h or "
     "d)";
@@ -113,20 +114,21 @@ std::optional<std::string> doubt_about(double intensity) {
 }
 
 std::variant<RainTable, std::string> read_hyetograph(const std::filesystem::path& file) {
-  std::ifstream stream(file);
-  if (!stream) return fmt::format("the file {} cannot be read; the path counts from the case's folder", file.string());
+  std::error_code error;
+  if (!std::filesystem::exists(file, error))
+    return fmt::format("the file {} cannot be read; the path counts from the case's folder", file.string());
+  std::istringstream stream(read_text_file(file, most_bytes));
   RainTable table;
   std::vector<int> lines;  // of the steps
   std::optional<std::string> time_unit, intensity_unit;
   std::string line;
   for (int row = 1; std::getline(stream, line); ++row) {
-    if (row == 1 && line.starts_with(byte_order_mark)) line.erase(0, byte_order_mark.size());
     if (trimmed(line).empty() || line.front() == '#') continue;
     const auto wrong = [&](std::string_view what) { return fmt::format("{}:{}: {}", file.string(), row, what); };
     const auto cells = cells_of(line);
     const auto unlike = [&](std::string_view expected) {
-      return wrong(
-          fmt::format("{}, columns parted by a comma, decimals by a point; got \"{}\"", expected, trimmed(line)));
+      return wrong(fmt::format("{}, columns parted by a comma, decimals by a point; got \"{}\"", expected,
+                               shortened(trimmed(line))));
     };
     if (!time_unit) {
       if (!cells) return unlike(expected_header);

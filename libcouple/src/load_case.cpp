@@ -4,14 +4,11 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
 #include <map>
-#include <sstream>
 #include <utility>
 
 #include "case_format.hpp"
+#include "slope/couple/text_file.hpp"
 #include "suggestion.hpp"
 
 namespace slope::couple {
@@ -20,22 +17,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string content_of(const fs::path& file) {
-  std::error_code error;
-  if (fs::is_directory(file, error)) throw FileError(fmt::format("{}: is a folder, not a case file", file.string()));
-  errno = 0;
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream content;
-  if (stream && stream.peek() != std::ifstream::traits_type::eof()) content << stream.rdbuf();
-  if (!stream.is_open() || stream.bad())
-    throw FileError(fmt::format("{}: cannot be read: {}", file.string(), std::strerror(errno)));
-  return content.str();
-}
+constexpr std::size_t most_bytes = 4'000'000;  // of a case file: what is longer belongs into a table
 
 /// A file error says who asked for the file.
 std::string content_for(const Document& place, const fs::path& file) {
   try {
-    return content_of(file);
+    return read_text_file(file, most_bytes);
   } catch (const FileError& error) {
     throw FileError(Problem{place.file, place.line, place.key, error.what()}.text());
   }
@@ -198,7 +185,7 @@ Document library_soil(const Input& place, std::map<fs::path, Document>& librarie
     std::vector<std::string> names;
     for (const Document& entry : soils->children) names.push_back(entry.key);
     place.at(place.has(library_soil_key) ? library_soil_key : library_key)
-        .problem(fmt::format("{} has no soil \"{}\"{}", soils->file, name, suggestion(name, names)));
+        .problem(fmt::format("{} has no soil \"{}\"{}", soils->file, shortened(name), suggestion(name, names)));
     throw InputError(problems);
   }
   std::erase_if(over.children,
@@ -217,7 +204,7 @@ Document merged(const Document& base, const Document& over) {
 
 LoadedCase load_case(const fs::path& file, std::vector<Problem>& problems) {
   Loader loader(problems);
-  Document document = loader.load(file, content_of(file));
+  Document document = loader.load(file, read_text_file(file, most_bytes));
   return {std::move(document), std::move(loader).files()};
 }
 

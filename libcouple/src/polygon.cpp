@@ -13,6 +13,31 @@ double cross(const Point& a, const Point& b, const Point& c) {
   return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
 }
 
+/// The place of an edge in the order of the outline and the box around it.
+struct Box {
+  std::size_t edge = 0;
+  Point low{0.0, 0.0}, high{0.0, 0.0};
+};
+
+/// The boxes of all edges, from left to right.
+std::vector<Box> boxes_of(const std::vector<Point>& polygon) {
+  std::vector<Box> boxes;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Point &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+    boxes.push_back({i, {std::min(a[0], b[0]), std::min(a[1], b[1])}, {std::max(a[0], b[0]), std::max(a[1], b[1])}});
+  }
+  std::ranges::sort(boxes, {}, [](const Box& box) { return box.low[0]; });
+  return boxes;
+}
+
+bool cross_each_other(const std::vector<Point>& polygon, std::size_t i, std::size_t j) {
+  const Point &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+  const Point &c = polygon[j], &d = polygon[(j + 1) % polygon.size()];
+  return cross(a, b, c) * cross(a, b, d) < 0.0 && cross(c, d, a) * cross(c, d, b) < 0.0;
+}
+
+}  // namespace
+
 double distance_to_edge(const Point& a, const Point& b, const Point& point) {
   const double dx = b[0] - a[0];
   const double dy = b[1] - a[1];
@@ -21,8 +46,6 @@ double distance_to_edge(const Point& a, const Point& b, const Point& point) {
   const double t = std::clamp(along, 0.0, 1.0);
   return std::hypot(point[0] - a[0] - t * dx, point[1] - a[1] - t * dy);
 }
-
-}  // namespace
 
 double signed_area(const std::vector<Point>& polygon) {
   double twice = 0.0;
@@ -54,17 +77,26 @@ bool contains(const std::vector<Point>& polygon, const Point& point, double tole
 }
 
 std::optional<std::pair<std::size_t, std::size_t>> crossing_edges(const std::vector<Point>& polygon) {
+  std::optional<std::pair<std::size_t, std::size_t>> first;
+  std::vector<Box> reached;  // from the left, and not yet left behind
+  for (const Box& box : boxes_of(polygon)) {
+    std::erase_if(reached, [&](const Box& other) { return other.high[0] < box.low[0]; });
+    for (const Box& other : reached) {
+      if (other.high[1] < box.low[1] || other.low[1] > box.high[1]) continue;
+      const std::pair<std::size_t, std::size_t> pair = std::minmax(box.edge, other.edge);
+      if ((!first || pair < *first) && cross_each_other(polygon, pair.first, pair.second)) first = pair;
+    }
+    reached.push_back(box);
+  }
+  return first;
+}
+
+std::optional<std::size_t> turning_corner(const std::vector<Point>& polygon) {
   const std::size_t n = polygon.size();
   for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t j = i + 1; j < n; ++j) {
-      const Point& a = polygon[i];
-      const Point& b = polygon[(i + 1) % n];
-      const Point& c = polygon[j];
-      const Point& d = polygon[(j + 1) % n];
-      const bool parted_by_first = cross(a, b, c) * cross(a, b, d) < 0.0;
-      const bool parted_by_second = cross(c, d, a) * cross(c, d, b) < 0.0;
-      if (parted_by_first && parted_by_second) return std::pair(i, j);
-    }
+    const Point &before = polygon[(i + n - 1) % n], &here = polygon[i], &after = polygon[(i + 1) % n];
+    const double back = (before[0] - here[0]) * (after[0] - here[0]) + (before[1] - here[1]) * (after[1] - here[1]);
+    if (back > 0.0 && std::abs(cross(here, before, after)) <= 1.0e-12 * back) return i;
   }
   return std::nullopt;
 }

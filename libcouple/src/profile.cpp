@@ -5,16 +5,19 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <fstream>
 #include <optional>
+#include <sstream>
 #include <string_view>
 
+#include "slope/couple/text_file.hpp"
 #include "suggestion.hpp"
 #include "units.hpp"
 
 namespace slope::couple {
 
 namespace {
+
+constexpr std::size_t most_bytes = 100'000'000;
 
 std::string_view trimmed(std::string_view text) {
   const auto first = text.find_first_not_of(" \t\r\"");
@@ -48,8 +51,8 @@ std::optional<std::string> unit_of(const std::string& column) {
 /// A table being read line by line.
 class Table {
  public:
-  Table(const Input& place, const ProfileText& profile, std::string file)
-      : place_(place), profile_(profile), file_(std::move(file)), stream_(file_) {}
+  Table(const Input& place, const ProfileText& profile, std::string file, const std::string& content)
+      : place_(place), profile_(profile), file_(std::move(file)), stream_(content) {}
 
   std::vector<Point> read() {
     const std::size_t before = place_.problem_count();
@@ -108,7 +111,7 @@ class Table {
       const std::string& cell = cells[column_[axis]];
       const auto value = parse_quantity(fmt::format("{} {}", cell, unit_[axis]), Dimension::length);
       if (!std::holds_alternative<double>(value)) {
-        place_.problem_in(file_, line, fmt::format("\"{}\" is not a number", cell));
+        place_.problem_in(file_, line, fmt::format("\"{}\" is not a number", shortened(cell)));
         return false;
       }
       point[axis] = std::get<double>(value);
@@ -126,7 +129,7 @@ class Table {
   const Input& place_;
   const ProfileText& profile_;
   std::string file_;
-  std::ifstream stream_;
+  std::istringstream stream_;
   std::size_t columns_ = 0;
   std::array<std::size_t, 2> column_{};
   std::array<std::string, 2> unit_;
@@ -159,12 +162,17 @@ std::vector<Point> read_profile(const Input& place, const ProfileText& profile) 
   namespace fs = std::filesystem;
   const fs::path file = fs::path(place.file()).parent_path() / profile.file;
   std::error_code error;
-  if (!fs::is_regular_file(file, error)) {
+  if (!fs::exists(file, error)) {
     place.at("file").problem(
         fmt::format("there is no file {}; the path counts from the folder of this file", file.string()));
     return {};
   }
-  return Table(place, profile, file.string()).read();
+  try {
+    return Table(place, profile, file.string(), read_text_file(file, most_bytes)).read();
+  } catch (const FileError& wrong) {
+    place.at("file").problem(wrong.what());
+    return {};
+  }
 }
 
 std::vector<Point> region_below(const std::vector<Point>& line, double depth, double base, const Domain& domain) {

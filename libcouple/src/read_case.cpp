@@ -22,6 +22,15 @@ void sort_by_place(std::vector<Problem>& problems, const std::vector<std::string
                    [&](const Problem& a, const Problem& b) { return place(a) < place(b); });
 }
 
+/// Of many problems the first are told, and how many more there are.
+void keep_first(std::vector<Problem>& problems) {
+  constexpr std::size_t most_told = 100;
+  if (problems.size() <= most_told) return;
+  const std::size_t more = problems.size() - most_told;
+  problems.resize(most_told);
+  problems.push_back({"", 0, "", fmt::format("and {} more like these", more)});
+}
+
 /// The times of the figures need particle files too.
 void add_figure_times(Case& input) {
   std::vector<double>& times = input.output.snapshots;
@@ -49,8 +58,10 @@ Case read_case(const std::filesystem::path& file, const std::vector<std::string>
     result.output.history_interval = std::max(1.0, 1.0e-3 * result.stop.time);
   }
   if (document.kind == Document::Kind::map) check_case(root, result);
+  if (warnings != nullptr) keep_first(*warnings);
   if (!problems.empty()) {
     sort_by_place(problems, files);
+    keep_first(problems);
     throw InputError(std::move(problems));
   }
   add_figure_times(result);

@@ -31,12 +31,15 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return d[a.size()][b.size()];
 }
 
+constexpr std::size_t longest_compared = 200;  // letters
+
 }  // namespace
 
 std::optional<std::string> closest_word(std::string_view word, const std::vector<std::string>& candidates) {
   std::size_t best_distance = std::max<std::size_t>(1, word.size() / 4) + 1;
   std::optional<std::string> best;
   for (const std::string& candidate : candidates) {
+    if (std::max(word.size(), candidate.size()) > longest_compared) continue;
     const std::size_t distance = edit_distance(word, candidate);
     if (distance < best_distance && distance < candidate.size()) {
       best_distance = distance;
@@ -48,7 +51,10 @@ std::optional<std::string> closest_word(std::string_view word, const std::vector
 
 std::string suggestion(std::string_view word, const std::vector<std::string>& candidates) {
   if (const auto closest = closest_word(word, candidates)) return fmt::format(", did you mean \"{}\"?", *closest);
-  return fmt::format("; choose one of: {}", fmt::join(candidates, ", "));
+  constexpr std::size_t most_listed = 30;
+  const std::vector<std::string> listed(
+      candidates.begin(), candidates.begin() + static_cast<std::ptrdiff_t>(std::min(most_listed, candidates.size())));
+  return fmt::format("; choose one of: {}{}", fmt::join(listed, ", "), candidates.size() > most_listed ? ", …" : "");
 }
 
 }  // namespace slope::couple

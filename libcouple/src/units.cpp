@@ -10,6 +10,7 @@
 #include <numbers>
 #include <optional>
 
+#include "slope/couple/text_file.hpp"
 #include "suggestion.hpp"
 
 namespace slope::couple {
@@ -133,7 +134,7 @@ std::string unknown_unit(std::string_view unit, Dimension dimension) {
   std::string without_caret(unit);
   std::erase(without_caret, '^');
   const auto closest = find_unit(without_caret) ? without_caret : closest_word(unit, names);
-  return fmt::format("unknown unit \"{}\"{}; expected {}", unit,
+  return fmt::format("unknown unit \"{}\"{}; expected {}", shortened(unit),
                      closest ? fmt::format(", did you mean \"{}\"?", *closest) : "", wanted(dimension));
 }
 
@@ -188,28 +189,31 @@ std::variant<double, std::string> parse_quantity(std::string_view text, Dimensio
   const bool numeric =
       !magnitude.empty() && (magnitude.front() == '.' || std::isdigit(static_cast<unsigned char>(magnitude.front())));
   if (!numeric || error == std::errc::invalid_argument)
-    return fmt::format("expected {}, got \"{}\"", wanted(dimension), text);
-  if (error == std::errc::result_out_of_range) return fmt::format("\"{}\" is beyond the range of numbers", text);
+    return fmt::format("expected {}, got \"{}\"", wanted(dimension), shortened(text));
+  const auto beyond = [text] { return fmt::format("\"{}\" is beyond the range of numbers", shortened(text)); };
+  if (error == std::errc::result_out_of_range) return beyond();
 
   const std::string_view rest(end, static_cast<std::size_t>(text.data() + text.size() - end));
   if (rest.empty()) {
     if (dimension == Dimension::number) return number;
-    return fmt::format("expected {}, got {} without a unit", wanted(dimension), text);
+    return fmt::format("expected {}, got {} without a unit", wanted(dimension), shortened(text));
   }
   const std::string_view name = trimmed(rest);
   const Unit* unit = find_unit(name);
   if (rest.front() == ',')
-    return fmt::format("expected {}, got \"{}\": write a decimal point", wanted(dimension), text);
+    return fmt::format("expected {}, got \"{}\": write a decimal point", wanted(dimension), shortened(text));
   if (unit == nullptr) return unknown_unit(name, dimension);
   if (unit->dimension != dimension) {
-    return fmt::format("expected {}, got \"{}\", which is {}", wanted(dimension), text,
+    return fmt::format("expected {}, got \"{}\", which is {}", wanted(dimension), shortened(text),
                        with_article(name_of(unit->dimension)));
   }
   if (rest.front() != ' ' && rest.front() != '\t') {
-    return fmt::format("write a space between number and unit: \"{} {}\"", text.substr(0, text.size() - rest.size()),
-                       name);
+    return fmt::format("write a space between number and unit: \"{} {}\"",
+                       shortened(text.substr(0, text.size() - rest.size())), name);
   }
-  return number * unit->numerator / unit->denominator;
+  const double value = number * unit->numerator / unit->denominator;
+  if (!std::isfinite(value)) return beyond();
+  return value;
 }
 
 std::string quantity_text(double value, Dimension dimension) {

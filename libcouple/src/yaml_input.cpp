@@ -6,6 +6,7 @@
 #include <charconv>
 
 #include "input.hpp"
+#include "slope/couple/text_file.hpp"
 #include "suggestion.hpp"
 
 namespace slope::couple {
@@ -13,10 +14,15 @@ namespace slope::couple {
 namespace {
 
 constexpr int deepest_nesting = 30;
+constexpr std::size_t most_nodes = 500'000;  // anchors can make much of little
+constexpr std::size_t most_keys = 10'000;    // of one map
+constexpr std::size_t longest_text = 1000;   // bytes
+constexpr std::size_t longest_key = 100;     // bytes
 
-/// The file nests deeper than any case does; an anchor that holds itself has no end.
-struct TooDeep {
+/// The file holds what no case does.
+struct NoCase {
   int line;
+  std::string message;
 };
 
 /// Turns yaml-cpp's nodes into documents and notes what a case file cannot hold.
@@ -28,10 +34,21 @@ class Converter {
     Document document;
     document.file = file_;
     document.line = node.Mark().is_null() ? line : node.Mark().line + 1;
-    if (depth > deepest_nesting) throw TooDeep{document.line};
+    if (depth > deepest_nesting) throw NoCase{document.line, "nested too deeply for a case file"};
+    if (++nodes_ > most_nodes) {
+      throw NoCase{document.line, fmt::format("more than {} values and lists up to here, anchors counted wherever they "
+                                              "are used; put long lists into a table",
+                                              most_nodes)};
+    }
     if (node.IsScalar()) {
       document.kind = Document::Kind::value;
       document.value = node.Scalar();
+      if (document.value.size() > longest_text) {
+        problems_.push_back({file_, document.line, path,
+                             fmt::format("has {} letters, at most {} are possible; is a quotation mark not closed?",
+                                         document.value.size(), longest_text)});
+        document.value.resize(longest_text);
+      }
       document.quoted = node.Tag() == "!";
     } else if (node.IsSequence()) {
       document.kind = Document::Kind::list;
@@ -41,6 +58,9 @@ class Converter {
       }
     } else if (node.IsMap()) {
       document.kind = Document::Kind::map;
+      if (node.size() > most_keys) {
+        throw NoCase{document.line, fmt::format("a map of {} keys; at most {} are possible", node.size(), most_keys)};
+      }
       for (const auto& entry : node) add_entry(document, entry.first, entry.second, path, depth);
     }
     return document;
@@ -54,6 +74,11 @@ class Converter {
       return;
     }
     const std::string name = key.Scalar();
+    if (name.size() > longest_key) {
+      problems_.push_back(
+          {file_, line, path, fmt::format("a key of {} letters, \"{}\"", name.size(), shortened(name))});
+      return;
+    }
     const std::string entry_path = joined_key(path, name);
     if (const Document* first = map.find(name)) {
       problems_.push_back(
@@ -68,6 +93,7 @@ class Converter {
 
   const std::string& file_;
   std::vector<Problem>& problems_;
+  std::size_t nodes_ = 0;
 };
 
 void mark_as_override(Document& document) {
@@ -105,7 +131,7 @@ Document* find_item(Document& list, const std::string& word) {
 }  // namespace
 
 Document parse_yaml(const std::string& text, const std::string& file, std::vector<Problem>& problems) {
-  if (text.find('\0') != std::string::npos) {
+  if (text.find('\0') != std::string::npos || !is_utf8(text)) {
     problems.push_back({file, 0, "", "not YAML: it has bytes that no text has"});
     return {};
   }
@@ -121,8 +147,8 @@ Document parse_yaml(const std::string& text, const std::string& file, std::vecto
       return {};
     }
     return Converter(file, problems).convert(documents.front(), "", 1);
-  } catch (const TooDeep& place) {
-    problems.push_back({file, place.line, "", "nested too deeply for a case file"});
+  } catch (const NoCase& found) {
+    problems.push_back({file, found.line, "", found.message});
     return {};
   } catch (const YAML::Exception& error) {
     problems.push_back({file, error.mark.line + 1, "", fmt::format("not YAML: {}", error.msg)});

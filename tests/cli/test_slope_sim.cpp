@@ -267,7 +267,7 @@ TEST_F(SlopeSim, AnIncludeThatLeadsNowhereEndsWithCode2AndAnUnreadableOneWithCod
   fs::create_directory(scratch_ / "folder");
   const Outcome folder = check("include: folder\n");
   EXPECT_EQ(folder.exit_code, 4);
-  EXPECT_EQ(folder.errors, place + (scratch_ / "folder").string() + ": is a folder, not a case file\n");
+  EXPECT_EQ(folder.errors, place + (scratch_ / "folder").string() + ": is a folder, not a file\n");
 }
 
 TEST_F(SlopeSim, AnUnknownOverrideEndsWithCode2) {

@@ -147,7 +147,7 @@ TEST_F(CaseInclude, BasesCanIncludeOthersFromTheirOwnFolders) {
 }
 
 TEST_F(CaseInclude, PathsCountFromTheFileThatTheyStandIn) {
-  write("data/curves/heads.csv", "");
+  write("data/curves/heads.csv", "z_m,suction_head_m_t300\n");
   write("data/base.yaml", base_ + "figures: {profile_reference: curves/heads.csv}\n");
   const auto reference = [](const Case& input) {
     return std::filesystem::path(input.path).parent_path() / input.figures.profile_reference;
@@ -156,7 +156,7 @@ TEST_F(CaseInclude, PathsCountFromTheFileThatTheyStandIn) {
   const Case input = read_case(write("case.yaml", including));
   EXPECT_TRUE(std::filesystem::equivalent(reference(input), path("data/curves/heads.csv")));
   EXPECT_EQ(input.figures.profile_reference, "data/curves/heads.csv");
-  write("own.csv", "");
+  write("own.csv", "z_m,suction_head_m_t300\n");
   EXPECT_EQ(
       read_case(write("case.yaml", including + "figures: {profile_reference: own.csv}\n")).figures.profile_reference,
       "own.csv");
@@ -247,7 +247,7 @@ TEST_F(CaseInclude, ABaseThatCannotBeReadIsAFileErrorWithThePlaceOfTheInclude) {
     (void)read_case(write("case.yaml", "title: x\ninclude: folder\n"));
     FAIL() << "a folder was read as a case";
   } catch (const FileError& error) {
-    EXPECT_EQ(error.what(), path("case.yaml") + ":2: include: " + path("folder") + ": is a folder, not a case file");
+    EXPECT_EQ(error.what(), path("case.yaml") + ":2: include: " + path("folder") + ": is a folder, not a file");
   }
 }
 

@@ -25,6 +25,9 @@ struct InitialParticles {
 ///   to the neighbour that it touches. Where soils meet, a square belongs to the one with the largest share of it.
 [[nodiscard]] InitialParticles fill_regions(const Domain& domain, const std::vector<Region>& regions);
 
+/// Whether a region is large enough, or lies so, that the centre of a lattice square is in it.
+[[nodiscard]] bool holds_lattice_point(const Domain& domain, const Region& region);
+
 /// Where a particle of a place meets what is outside: the ground, or another side, as it is drawn.
 struct Face {
   std::size_t particle = 0;
