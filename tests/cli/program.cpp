@@ -1,6 +1,7 @@
 #include "program.hpp"
 
 #include <fcntl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -19,17 +20,33 @@ void send_to(int stream, const std::filesystem::path& file) {
   close(opened);
 }
 
+void keep_within(int resource, rlim_t most) {
+  const rlimit limit{most, most};
+  setrlimit(static_cast<__rlimit_resource_t>(resource), &limit);
+}
+
+/// The address sanitizer maps terabytes that it does not use.
+#ifdef __SANITIZE_ADDRESS__
+constexpr bool under_sanitizers = true;
+#else
+constexpr bool under_sanitizers = false;
+#endif
+
 }  // namespace
 
-Program::Program(const std::vector<std::string>& arguments, const std::filesystem::path& folder) : folder_(folder) {
-  std::vector<std::string> words{SLOPE_SIM};
+Program::Program(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
+                 const std::filesystem::path& program)
+    : folder_(folder) {
+  std::vector<std::string> words{program.string()};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> pointers;
   for (std::string& word : words) pointers.push_back(word.data());
   pointers.push_back(nullptr);
   id_ = fork();
-  if (id_ < 0) throw std::runtime_error("slope-sim cannot be started");
+  if (id_ < 0) throw std::runtime_error(words.front() + " cannot be started");
   if (id_ == 0) {
+    keep_within(RLIMIT_CPU, 120);
+    if (!under_sanitizers) keep_within(RLIMIT_AS, rlim_t{4} << 30);
     send_to(STDOUT_FILENO, folder_ / "output");
     send_to(STDERR_FILENO, folder_ / "errors");
     execv(pointers.front(), pointers.data());

@@ -15,10 +15,12 @@ struct Outcome {
   std::string errors;
 };
 
-/// slope-sim, started with these arguments; its streams go to files in a folder.
+/// slope-sim, or another program, started with these arguments; its streams go to files in a folder. It may take no
+/// more than 4 GB of memory and two minutes of a processor.
 class Program {
  public:
-  Program(const std::vector<std::string>& arguments, const std::filesystem::path& folder);
+  Program(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
+          const std::filesystem::path& program = SLOPE_SIM);
   /// Ends the program if it still runs.
   ~Program();
   Program(const Program&) = delete;

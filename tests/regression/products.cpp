@@ -65,7 +65,10 @@ void write_tables(const fs::path& run, const Tolerances& tolerances, const fs::p
     if (file == "history.csv") write_table(folder / file, names, history_columns(run, names));
     if (file == "summary.csv") write_table(folder / file, names, summary_columns(run, names));
   }
-  for (const auto& profile : tools::timed_profiles(tools::read_run_folder(run))) {
+  tools::Losses losses;
+  const auto profiles = tools::timed_profiles(tools::read_run_folder(run), losses);
+  losses.throw_first();
+  for (const auto& profile : profiles) {
     write_table(folder / fmt::format("profile_{:g}s.csv", profile.time), {"height [m]", "suction head [m]"},
                 {profile.computed.height, profile.computed.head});
   }

@@ -9,24 +9,32 @@
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkStringArray.h>
-#include <vtkXMLDataElement.h>
 #include <vtkXMLPolyDataReader.h>
 #include <vtkXMLPolyDataWriter.h>
-#include <vtkXMLUtilities.h>
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
+#include <charconv>
+#include <cmath>
+#include <cstring>
 #include <fstream>
+#include <optional>
 #include <system_error>
 
+#include "particle_layout.hpp"
 #include "quiet_vtk.hpp"
 #include "slope/couple/read_case.hpp"
+#include "slope/couple/text_file.hpp"
+#include "xml_tags.hpp"
 
 namespace slope::tools {
 namespace {
 
 namespace fs = std::filesystem;
 using couple::FileError;
+
+constexpr std::size_t most_collection_bytes = 10'000'000;  // a run writes 10,000 particle files at most
 
 template <class Array = vtkDoubleArray>
 vtkNew<Array> make_array(const char* name, int components, std::size_t count) {
@@ -117,6 +125,14 @@ void rename_or_throw(const fs::path& from, const fs::path& to) {
   }
 }
 
+/// Takes away what was begun and tells why it was not finished, from errno.
+[[noreturn]] void give_up(const fs::path& unfinished, const fs::path& file) {
+  const std::string reason = errno != 0 ? std::strerror(errno) : "is the disk full or the folder write-protected?";
+  std::error_code ignored;
+  fs::remove(unfinished, ignored);
+  throw FileError(fmt::format("{}: cannot be written: {}", file.string(), reason));
+}
+
 void write_polydata(vtkPolyData* data, const fs::path& file) {
   const fs::path unfinished = file.string() + ".part";
   const QuietVtk quiet;
@@ -126,17 +142,14 @@ void write_polydata(vtkPolyData* data, const fs::path& file) {
   writer->SetDataModeToAppended();
   writer->EncodeAppendedDataOff();
   writer->SetCompressorTypeToZLib();
-  if (writer->Write() != 1 || writer->GetErrorCode() != 0) {
-    std::error_code ignored;
-    fs::remove(unfinished, ignored);
-    throw FileError(
-        fmt::format("{}: cannot be written; is the disk full or the folder write-protected?", file.string()));
-  }
+  errno = 0;
+  if (writer->Write() != 1 || writer->GetErrorCode() != 0) give_up(unfinished, file);
   rename_or_throw(unfinished, file);
 }
 
 void write_collection(const std::vector<Snapshot>& snapshots, const fs::path& file) {
   const fs::path unfinished = file.string() + ".part";
+  errno = 0;
   std::ofstream out(unfinished);
   out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\">\n  <Collection>\n";
   for (const auto& snapshot : snapshots) {
@@ -145,10 +158,7 @@ void write_collection(const std::vector<Snapshot>& snapshots, const fs::path& fi
   }
   out << "  </Collection>\n</VTKFile>\n";
   out.close();
-  if (!out) {
-    throw FileError(
-        fmt::format("{}: cannot be written; is the disk full or the folder write-protected?", file.string()));
-  }
+  if (!out) give_up(unfinished, file);
   rename_or_throw(unfinished, file);
 }
 
@@ -194,47 +204,71 @@ fs::path ParticleFileSeries::write(const couple::ParticleTable& particles, std::
   return file;
 }
 
-std::vector<Snapshot> read_particle_series(const fs::path& directory) {
-  const fs::path file = directory / particle_collection;
-  if (!fs::is_regular_file(file)) {
-    throw FileError(
-        fmt::format("{}: not found; is {} an output folder of slope-sim?", file.string(), directory.string()));
-  }
-  const QuietVtk quiet;
-  const auto root = vtkSmartPointer<vtkXMLDataElement>::Take(vtkXMLUtilities::ReadElementFromFile(file.c_str()));
-  auto* collection = root != nullptr ? root->FindNestedElementWithName("Collection") : nullptr;
-  if (collection == nullptr) {
-    throw FileError(fmt::format("{}: is not a ParaView collection; run slope-sim again", file.string()));
-  }
-  std::vector<Snapshot> snapshots;
-  for (int i = 0; i < collection->GetNumberOfNestedElements(); ++i) {
-    auto* entry = collection->GetNestedElement(i);
-    Snapshot snapshot;
-    const char* name = entry->GetAttribute("name");
-    const char* path = entry->GetAttribute("file");
-    if (path == nullptr || entry->GetScalarAttribute("timestep", snapshot.time) == 0) {
-      throw FileError(
-          fmt::format("{}: entry {} lacks its file or timestep; run slope-sim again", file.string(), i + 1));
-    }
-    snapshot.label = name != nullptr ? name : "";
-    snapshot.file = directory / path;
-    snapshots.push_back(std::move(snapshot));
-  }
+namespace {
+
+/// A time that a run can have.
+std::optional<double> time_of(std::string_view text) {
+  double time = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), time);
+  const bool sound = error == std::errc() && end == text.data() + text.size() && std::abs(time) <= largest_drawn;
+  return sound ? std::optional(time) : std::nullopt;
+}
+
+std::vector<Snapshot> in_order(std::vector<Snapshot> snapshots) {
   std::stable_sort(snapshots.begin(), snapshots.end(), [](const auto& a, const auto& b) { return a.time < b.time; });
   return snapshots;
 }
 
-vtkSmartPointer<vtkPolyData> read_particles(const fs::path& file) {
-  if (!fs::is_regular_file(file)) {
-    throw FileError(fmt::format("{}: not found; run slope-sim again", file.string()));
+}  // namespace
+
+std::vector<Snapshot> read_particle_series(const fs::path& directory) {
+  const fs::path file = directory / particle_collection;
+  const std::string content = couple::read_text_file(file, most_collection_bytes);
+  std::vector<Snapshot> snapshots;
+  for (const XmlTag& tag : xml_tags(content)) {
+    if (tag.name != "DataSet") continue;
+    const auto time = time_of(tag.value("timestep"));
+    const std::string_view path = tag.value("file");
+    if (!time || path.empty())
+      throw FileError(fmt::format("{}: entry {} lacks its file or time", file.string(), snapshots.size() + 1));
+    snapshots.push_back({*time, std::string(tag.value("name")), directory / path});
   }
+  if (snapshots.empty()) throw FileError(fmt::format("{}: names no particle file", file.string()));
+  return in_order(std::move(snapshots));
+}
+
+std::vector<Snapshot> find_particle_files(const fs::path& directory) {
+  std::vector<fs::path> files;
+  std::error_code error;
+  for (fs::directory_iterator entry(directory, error), end; !error && entry != end; entry.increment(error)) {
+    const std::string name = entry->path().filename().string();
+    if (name.starts_with("particles_") && name.ends_with(".vtp")) files.push_back(entry->path());
+  }
+  std::sort(files.begin(), files.end());
+  std::vector<Snapshot> snapshots;
+  for (const fs::path& file : files) {
+    try {
+      const auto particles = read_particles(file);
+      auto* label = vtkStringArray::SafeDownCast(particles->GetFieldData()->GetAbstractArray("label"));
+      snapshots.push_back({particles->GetFieldData()->GetArray("TimeValue")->GetComponent(0, 0),
+                           label != nullptr && label->GetNumberOfValues() > 0 ? label->GetValue(0) : "", file});
+    } catch (const FileError&) {  // one that cannot be read has no time either
+    }
+  }
+  return in_order(std::move(snapshots));
+}
+
+vtkSmartPointer<vtkPolyData> read_particles(const fs::path& file) {
+  check_particle_layout(file);
   const QuietVtk quiet;
   vtkNew<vtkXMLPolyDataReader> reader;
   reader->SetFileName(file.c_str());
   reader->Update();
-  if (reader->GetErrorCode() != 0 || reader->GetOutput()->GetFieldData()->GetArray("TimeValue") == nullptr) {
-    throw FileError(fmt::format("{}: cannot be read as a VTK particle file; run slope-sim again", file.string()));
-  }
+  if (reader->GetErrorCode() != 0) throw FileError(fmt::format("{}: is cut short or damaged", file.string()));
+  vtkDataArray* time = reader->GetOutput()->GetFieldData()->GetArray("TimeValue");
+  if (time == nullptr) throw FileError(fmt::format("{}: has no array \"TimeValue\"", file.string()));
+  if (time->GetNumberOfTuples() < 1 || !(std::abs(time->GetComponent(0, 0)) <= largest_drawn))
+    throw FileError(fmt::format("{}: has no time", file.string()));
   return reader->GetOutput();
 }
 

@@ -56,12 +56,19 @@ class ParticleFileSeries {
   std::vector<Snapshot> written_;
 };
 
-/// The snapshots that the collection of a directory names, in the order of time.
-/// @throws couple::FileError if there is no collection or it cannot be read.
+/// No result of a run is larger, in SI units: what is comes from a run that broke, or from a file that is damaged.
+inline constexpr double largest_drawn = 1.0e15;
+
+/// The snapshots that the collection of a directory names, in the order of time; at least one.
+/// @throws couple::FileError if there is no collection, or it cannot be read, or it names no file.
 [[nodiscard]] std::vector<Snapshot> read_particle_series(const std::filesystem::path& directory);
 
+/// The snapshots of a directory whose collection is lost, in the order of time: each particle file knows its own time
+/// and label. One that cannot be read is left out.
+[[nodiscard]] std::vector<Snapshot> find_particle_files(const std::filesystem::path& directory);
+
 /// One particle file, with the arrays that ParticleFileSeries writes.
-/// @throws couple::FileError if it cannot be read.
+/// @throws couple::FileError if it cannot be read or is damaged.
 [[nodiscard]] vtkSmartPointer<vtkPolyData> read_particles(const std::filesystem::path& file);
 
 }  // namespace slope::tools

@@ -9,6 +9,7 @@ namespace {
 
 constexpr double margin = 1.4;         // em
 constexpr double tallest_plot = 0.75;  // over the picture's width
+constexpr double thinnest_plot = 4.0;  // pixels, of a domain that is far longer than high, or higher than long
 
 /// Greedy lines of at most a width (pixels).
 std::vector<std::string> wrapped(const Canvas& canvas, const std::string& text, double width) {
@@ -34,7 +35,7 @@ void write_wide_picture(const std::filesystem::path& file, int width, const Cont
   const double em = font_share * width;
   const double left = std::round(panel_left_room * em);
   const double plot_width = std::floor(width - left - margin * em);
-  const double plot_height = std::round(plot_width * height_over_width(panel.domain));
+  const double plot_height = std::max(thinnest_plot, std::round(plot_width * height_over_width(panel.domain)));
   const double bottom = std::round((5.0 + lying_bar_height) * em);
   Canvas canvas(width, static_cast<int>(bottom + plot_height + 3.6 * em), em);
   const Box box{left, bottom, left + plot_width, bottom + plot_height};
@@ -54,7 +55,7 @@ void write_tall_picture(const std::filesystem::path& file, int width, const Cont
   const double em = font_share * width;
   const double left = std::round(panel_left_room * em);
   const double plot_height = std::round(tallest_plot * width);
-  const double plot_width = std::round(plot_height / height_over_width(panel.domain));
+  const double plot_width = std::max(thinnest_plot, std::round(plot_height / height_over_width(panel.domain)));
   const double beside = 7.0 * em;  // the bar, its numbers and title
   const int picture_width = static_cast<int>(std::max(left + plot_width + beside + margin * em, 0.62 * width));
   const double text_width = picture_width - 2.0 * margin * em;

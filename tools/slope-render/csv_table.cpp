@@ -3,14 +3,18 @@
 #include <fmt/format.h>
 
 #include <charconv>
-#include <fstream>
+#include <cstdlib>
 #include <optional>
+#include <sstream>
 #include <string_view>
 
 #include "slope/couple/read_case.hpp"
+#include "slope/couple/text_file.hpp"
 
 namespace slope::tools {
 namespace {
+
+constexpr std::size_t most_bytes = std::size_t{1} << 30U;  // a run writes a million rows at most
 
 std::string_view trimmed(std::string_view text) {
   const auto first = text.find_first_not_of(" \t\r#\"");
@@ -34,20 +38,17 @@ std::vector<std::string_view> split(std::string_view line) {
 std::optional<double> number(std::string_view text) {
   double value = 0.0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  // A denormal is out of range for from_chars, and as good as zero here.
   if (end != text.data() + text.size() || error == std::errc::invalid_argument) {
     return std::nullopt;
   }
-  return value;
+  // Out of range for from_chars are denormals and what is too large, which strtod takes for infinite.
+  return error == std::errc{} ? value : std::strtod(std::string(text).c_str(), nullptr);
 }
 
 }  // namespace
 
 CsvTable read_csv(const std::filesystem::path& file) {
-  std::ifstream in(file);
-  if (!in) {
-    throw couple::FileError(fmt::format("{}: cannot be read; does it exist?", file.string()));
-  }
+  std::istringstream in(couple::read_text_file(file, most_bytes));
   CsvTable table;
   bool header_read = false;
   std::string line;
@@ -67,7 +68,7 @@ CsvTable read_csv(const std::filesystem::path& file) {
     header_read = true;
     table.columns.resize(table.names.size());
     if (cells.size() != table.names.size()) {
-      if (in.peek() == std::ifstream::traits_type::eof()) {
+      if (in.peek() == std::istringstream::traits_type::eof()) {
         break;
       }
       throw couple::FileError(fmt::format("{}:{}: has {} columns where the header has {}", file.string(), line_number,
@@ -76,7 +77,8 @@ CsvTable read_csv(const std::filesystem::path& file) {
     for (std::size_t c = 0; c < cells.size(); ++c) {
       const auto value = number(cells[c]);
       if (!value) {
-        throw couple::FileError(fmt::format("{}:{}: \"{}\" is not a number", file.string(), line_number, cells[c]));
+        throw couple::FileError(
+            fmt::format("{}:{}: \"{}\" is not a number", file.string(), line_number, couple::shortened(cells[c])));
       }
       table.columns[c].push_back(*value);
     }

@@ -38,8 +38,12 @@ class Neighbourhood {
         upper[d] = std::max(upper[d], x[d]);
       }
     }
-    columns_ = positions.empty() ? 0 : static_cast<int>((upper[0] - lower_[0]) / radius) + 1;
-    rows_ = positions.empty() ? 0 : static_cast<int>((upper[1] - lower_[1]) / radius) + 1;
+    if (!positions.empty()) {
+      constexpr double most_cells = 2000.0;  // each way; larger ones find the same particles
+      radius_ = std::max({radius, (upper[0] - lower_[0]) / most_cells, (upper[1] - lower_[1]) / most_cells});
+      columns_ = static_cast<int>((upper[0] - lower_[0]) / radius_) + 1;
+      rows_ = static_cast<int>((upper[1] - lower_[1]) / radius_) + 1;
+    }
     cells_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
     for (std::size_t p = 0; p < positions.size(); ++p) {
       cell(column(positions[p][0]), row(positions[p][1])).push_back(p);
@@ -60,8 +64,12 @@ class Neighbourhood {
   }
 
  private:
-  [[nodiscard]] int column(double x) const { return static_cast<int>(std::floor((x - lower_[0]) / radius_)); }
-  [[nodiscard]] int row(double y) const { return static_cast<int>(std::floor((y - lower_[1]) / radius_)); }
+  [[nodiscard]] int column(double x) const { return cell_number((x - lower_[0]) / radius_, columns_); }
+  [[nodiscard]] int row(double y) const { return cell_number((y - lower_[1]) / radius_, rows_); }
+  /// What is far outside has the number of a cell that lies just beyond the neighbours of the last one.
+  static int cell_number(double place, int count) {
+    return static_cast<int>(std::clamp(std::floor(place), -2.0, count + 1.0));
+  }
   std::vector<std::size_t>& cell(int i, int j) {
     return cells_[static_cast<std::size_t>(j) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(i)];
   }
@@ -175,18 +183,25 @@ FieldImage::FieldImage(vtkPolyData* particles, const ImageGrid& grid, const std:
 
   const auto count = static_cast<std::size_t>(particles->GetNumberOfPoints());
   auto* volume = particle_array(particles, "volume");
-  std::vector<couple::Point> position(count);
-  std::vector<double> area(count);
   double total = 0.0;
-  for (std::size_t p = 0; p < count; ++p) {
-    const double* x = particles->GetPoint(static_cast<vtkIdType>(p));
-    position[p] = {x[0], x[1]};
-    area[p] = volume->GetComponent(static_cast<vtkIdType>(p), 0);
-    total += area[p];
-  }
+  for (std::size_t p = 0; p < count; ++p) total += volume->GetComponent(static_cast<vtkIdType>(p), 0);
   spacing_ = std::sqrt(total / static_cast<double>(std::max<std::size_t>(count, 1)));
   const double wide_radius = coverage_support * spacing_;
   const double radius = value_support * spacing_;
+
+  // What lies farther outside of the rectangle has no part in it.
+  std::vector<couple::Point> position;
+  std::vector<double> area;
+  std::vector<std::size_t> particle;
+  for (std::size_t p = 0; p < count; ++p) {
+    const double* x = particles->GetPoint(static_cast<vtkIdType>(p));
+    const bool near = x[0] > grid.lower[0] - wide_radius && x[0] < grid.upper[0] + wide_radius &&
+                      x[1] > grid.lower[1] - wide_radius && x[1] < grid.upper[1] + wide_radius;
+    if (!near) continue;
+    position.push_back({x[0], x[1]});
+    area.push_back(volume->GetComponent(static_cast<vtkIdType>(p), 0));
+    particle.push_back(p);
+  }
 
   // Mirror images behind the walls count for the coverage only.
   const auto mirror = [&](std::size_t direction, double wall) {
@@ -210,12 +225,12 @@ FieldImage::FieldImage(vtkPolyData* particles, const ImageGrid& grid, const std:
   coverage->SetNumberOfTuples(image_->GetNumberOfPoints());
   coverage->FillValue(0.0);
   image_->GetPointData()->AddArray(coverage);
-  std::vector<std::vector<double>> given(fields.size(), std::vector<double>(count));
+  std::vector<std::vector<double>> given(fields.size(), std::vector<double>(particle.size()));
   std::vector<double*> sampled;
   for (std::size_t k = 0; k < fields.size(); ++k) {
     auto* array = particle_array(particles, fields[k]);
-    for (std::size_t p = 0; p < count; ++p) {
-      given[k][p] = scalar(array, p);
+    for (std::size_t p = 0; p < particle.size(); ++p) {
+      given[k][p] = scalar(array, particle[p]);
     }
     vtkNew<vtkDoubleArray> image_array;
     image_array->SetName(fields[k].c_str());
@@ -242,7 +257,7 @@ FieldImage::FieldImage(vtkPolyData* particles, const ImageGrid& grid, const std:
         }
         const double distance = radius * std::sqrt(square);
         covered += area[p] * kernel(distance, wide_radius);
-        if (p >= count || square >= 1.0) {
+        if (p >= particle.size() || square >= 1.0) {
           return;
         }
         const double w = area[p] * kernel(distance, radius);

@@ -83,9 +83,13 @@ void draw_curves(Canvas& canvas, const PlotFrame& frame, const HistoryChart& cha
   }
 }
 
-/// A line at a time and, so many em above the frame, its name and the time, not further to the left than `leftmost`.
+/// A line at a time and, so many em above the frame, its name and the time, not further to the left than `leftmost`;
+/// nothing for a time outside of the frame.
 void draw_mark(Canvas& canvas, const PlotFrame& frame, const TimeMark& mark, const std::vector<double>& dashes,
                double above, const TimeUnit& unit, double leftmost) {
+  if (mark.time / unit.seconds < frame.x.low || mark.time / unit.seconds > frame.x.high) {
+    return;
+  }
   const double em = canvas.em();
   const Box& box = frame.box;
   const double x = frame.at(mark.time / unit.seconds, 0.0).x;
@@ -129,7 +133,8 @@ void draw_legend(Canvas& canvas, Pixel upper_left, const std::vector<std::string
 }
 
 Range times_of(const HistoryChart& chart) {
-  return {0.0, chart.times.empty() || chart.times.back() <= 0.0 ? 1.0 : chart.times.back()};
+  constexpr double shortest = 1.0e-9;  // s
+  return {0.0, chart.times.empty() || chart.times.back() < shortest ? 1.0 : chart.times.back()};
 }
 
 Range in_unit(const Range& times, const TimeUnit& unit) {
@@ -166,7 +171,8 @@ Range common_values(const std::vector<HistoryChart>& charts) {
       }
     }
   }
-  if (range.length() == 0.0) {
+  constexpr double smallest = 1.0e-30;
+  if (range.length() < smallest) {
     range.high = 1.0;
   }
   return range;

@@ -1,5 +1,8 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <stdexcept>
 #include <string>
 
@@ -10,12 +13,14 @@
 #include "render_window.hpp"
 #include "run_figures.hpp"
 #include "slope/couple/read_case.hpp"
+#include "standard_streams.hpp"
 
 namespace {
 
 namespace fs = std::filesystem;
 using namespace slope::tools;
 
+constexpr int fault = 1;
 constexpr int bad_input = 2;
 constexpr int input_output = 4;
 constexpr int frames_per_second = 4;
@@ -29,17 +34,31 @@ fs::path out_or(const std::string& out, const fs::path& otherwise) {
   return out.empty() ? otherwise : fs::path(out);
 }
 
+/// Tells what was lost, and how the program ends then.
+int tell(const Losses& losses) {
+  for (const auto& message : losses.messages()) {
+    std::fprintf(stderr, "%s\n", message.c_str());
+  }
+  return losses.bad_input() ? bad_input : losses.messages().empty() ? 0 : input_output;
+}
+
+int worse(int one, int other) {
+  return one == bad_input || other == bad_input ? bad_input : std::max(one, other);
+}
+
 int draw_run(const fs::path& folder, const std::string& out, PictureOptions options) {
-  const auto run = read_run_folder(folder);
+  Losses losses;
+  const auto run = read_run_folder(folder, losses);
+  const int read = tell(losses);
   options.folder = out_or(out, run.path / "figures");
   const Pictures pictures = write_pictures(run, options);
   for (const auto& note : pictures.notes) {
     std::fprintf(stderr, "%s\n", note.c_str());
   }
   for (const auto& file : pictures.written) {
-    std::puts(file.c_str());
+    say(file.string() + "\n");
   }
-  return 0;
+  return worse(read, tell(pictures.losses));
 }
 
 int draw_paper(const std::vector<std::string>& folders, const std::string& out, int width) {
@@ -47,9 +66,9 @@ int draw_paper(const std::vector<std::string>& folders, const std::string& out, 
   const auto figures = write_paper_figures(runs, out, width);
   const fs::path report = fs::path(out) / "report.md";
   write_paper_report(runs, report);
-  std::puts(report.c_str());
+  say(report.string() + "\n");
   for (const auto& file : figures.written) {
-    std::puts(file.c_str());
+    say(file.string() + "\n");
   }
   for (const auto& reason : figures.left_out) {
     std::fprintf(stderr, "left out: %s\n", reason.c_str());
@@ -59,32 +78,38 @@ int draw_paper(const std::vector<std::string>& folders, const std::string& out, 
 
 int compare(const std::vector<std::string>& folders, const fs::path& out) {
   write_comparison({folders.begin(), folders.end()}, out);
-  std::puts(out.c_str());
+  say(out.string() + "\n");
   return 0;
 }
 
 int animate(const fs::path& folder, const std::string& out, const PictureOptions& options) {
+  Losses losses;
   const auto run = read_run_folder(folder);
   const fs::path target = out_or(out, run.path / "figures");
   const auto fields = options.fields.empty() ? std::vector<std::string>{"deviatoric_strain"} : options.fields;
   for (const auto& field : fields) {
-    const auto frames = write_frames(run, field, target / "frames", options.width);
-    std::printf("%s ... %s\n", frames.frame(0).c_str(), frames.frame(frames.count - 1).filename().c_str());
+    const auto frames = write_frames(run, field, target / "frames", options.width, losses);
+    if (frames.count == 0) continue;
+    say(frames.frame(0).string() + " ... " + frames.frame(frames.count - 1).filename().string() + "\n");
     if (const auto film = encode_film(frames, target / field, frames_per_second)) {
-      std::puts(film->c_str());
+      say(film->string() + "\n");
     } else {
       std::fprintf(stderr, "%s: no film was made of the pictures, for none of these is there: %s\n", field.c_str(),
                    known_encoders().c_str());
     }
   }
-  return 0;
+  return tell(losses);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+  open_standard_streams();
+  survive_failed_writes();
   CLI::App app("Draws the pictures of a run of slope-sim: contours, histories and profiles.", "slope-render");
-  app.footer("Exit codes: 0 done, 2 bad arguments or case, 4 a file cannot be read or written.");
+  app.footer(
+      "Exit codes: 0 done, 1 a fault of the program, 2 bad arguments or case, 4 a file cannot be read or written.\n"
+      "Of a folder that is damaged, what can be drawn is drawn, and the rest is named.");
   std::vector<std::string> folders;
   PictureOptions options;
   std::string out;
@@ -100,7 +125,12 @@ int main(int argc, char** argv) {
   auto* times = app.add_option("--times", options.times,
                                "Times of the contour pictures in s, with commas (default: the case's, or start, onset "
                                "and end)")
-                    ->delimiter(',');
+                    ->delimiter(',')
+                    ->check([](const std::string& time) {
+                      return std::abs(std::strtod(time.c_str(), nullptr)) <= largest_drawn
+                                 ? std::string()
+                                 : "\"" + time + "\" is no time that a run can have";
+                    });
   auto* field = app.add_option("--field", options.fields,
                                "Fields of the contour pictures, with commas: suction, deviatoric_strain, displacement, "
                                "pore_pressure, saturation, porosity (default: the first two)")
@@ -137,13 +167,12 @@ int main(int argc, char** argv) {
   }
 
   try {
-    if (paper) {
-      return draw_paper(folders, out, options.width);
-    }
-    if (comparison) {
-      return compare(folders, out);
-    }
-    return animation ? animate(folders.front(), out, options) : draw_run(folders.front(), out, options);
+    const int code = paper        ? draw_paper(folders, out, options.width)
+                     : comparison ? compare(folders, out)
+                     : animation  ? animate(folders.front(), out, options)
+                                  : draw_run(folders.front(), out, options);
+    flush_output();
+    return code;
   } catch (const slope::couple::FileError& error) {
     return fail(error, input_output);
   } catch (const RenderError& error) {
@@ -152,5 +181,9 @@ int main(int argc, char** argv) {
     return fail(error, bad_input);
   } catch (const std::invalid_argument& error) {
     return fail(error, bad_input);
+  } catch (const fs::filesystem_error& error) {
+    return fail(error, input_output);
+  } catch (const std::exception& error) {
+    return fail(error, fault);
   }
 }

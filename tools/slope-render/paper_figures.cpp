@@ -10,6 +10,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "drawable_particles.hpp"
 #include "field_image.hpp"
 #include "mesh_picture.hpp"
 #include "panel_picture.hpp"
@@ -86,9 +87,17 @@ const Snapshot& early_snapshot(const NamedRun& named) {
   return found != snapshots.end() && found->time <= latest ? *found : labelled_snapshot(named, "start");
 }
 
+/// @throws couple::FileError if some of a snapshot's particles cannot be drawn.
+vtkSmartPointer<vtkPolyData> drawable_particles(const Snapshot& snapshot) {
+  Losses losses;
+  auto particles = read_drawable_particles(snapshot.file, losses);
+  losses.throw_first();
+  return particles;
+}
+
 StackedPanel stacked_panel(const NamedRun& named, const Snapshot& snapshot, const std::string& what) {
   StackedPanel panel;
-  panel.particles = read_particles(snapshot.file);
+  panel.particles = drawable_particles(snapshot);
   panel.domain = named.run->input.domain;
   panel.failure_strain = named.run->input.failure_zone_strain;
   panel.caption = fmt::format("{}, t = {} ({})", named.name, time_text(snapshot.time), what);
@@ -144,7 +153,7 @@ void write_onsets(const fs::path& file, int width, const std::vector<NamedRun>& 
 RetentionCurve retention_curve(const NamedRun& named) {
   const auto& input = named.run->input;
   const std::size_t soil = input.regions.front().soil;
-  const auto particles = read_particles(labelled_snapshot(named, "start").file);
+  const auto particles = drawable_particles(labelled_snapshot(named, "start"));
   auto* suctions = particle_array(particles, "suction");
   auto* soils = particle_array(particles, "soil");
   double largest = 0.0;
@@ -221,7 +230,9 @@ void write_column(const fs::path& file, int width, const std::vector<NamedRun>& 
   if (run.input.figures.profile_times.empty()) {
     throw LeftOut(fmt::format("the case of {} asks for no profile (figures.profile_times)", runs.front().folder_name));
   }
-  write_profile_chart(file, width, run.input.title, timed_profiles(run));
+  Losses losses;
+  write_profile_chart(file, width, run.input.title, timed_profiles(run, losses));
+  losses.throw_first();
 }
 
 /// A figure, the cases that it needs and what draws it.
@@ -264,6 +275,8 @@ PaperFigures write_paper_figures(const PaperRuns& runs, const fs::path& folder, 
     try {
       figure.write(file, width, find_runs(runs, figure.cases));
       result.written.push_back(file);
+    } catch (const couple::FileError& reason) {
+      result.left_out.push_back(fmt::format("{}: {}", figure.name, reason.what()));
     } catch (const LeftOut& reason) {
       result.left_out.push_back(fmt::format("{}: {}", figure.name, reason.what()));
     }

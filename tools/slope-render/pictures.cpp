@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "contour_picture.hpp"
+#include "drawable_particles.hpp"
 #include "history_chart.hpp"
 #include "profile_chart.hpp"
 #include "run_curves.hpp"
@@ -66,65 +67,87 @@ std::vector<Field> chosen_fields(const std::vector<std::string>& names) {
   return fields;
 }
 
+/// Notes a picture that is written, or why it could not be.
+template <class Write>
+void write_picture(const fs::path& file, Pictures& pictures, Write write) {
+  if (pictures.losses.attempt(write)) pictures.written.push_back(file);
+}
+
 void write_contours(const RunFolder& run, const PictureOptions& options, Pictures& pictures) {
+  const auto fields = chosen_fields(options.fields);
+  if (run.input.path.empty() || run.snapshots.empty()) return;
   const auto& times = options.times.empty() ? run.input.figures.contour_times : options.times;
-  const auto moments = times.empty() ? standard_moments(run) : moments_at(run, times, pictures.notes);
+  auto moments = times.empty() ? standard_moments(run) : moments_at(run, times, pictures.notes);
   std::vector<vtkSmartPointer<vtkPolyData>> particles;
-  for (const auto& moment : moments) {
-    particles.push_back(read_particles(moment.snapshot.file));
-  }
-  for (const Field& field : chosen_fields(options.fields)) {
+  std::erase_if(moments, [&](const Moment& moment) {
+    return !pictures.losses.attempt(
+        [&] { particles.push_back(read_drawable_particles(moment.snapshot.file, pictures.losses)); });
+  });
+  for (const Field& field : fields) {
     const ColourScale scale = common_scale(field, particles);
     for (std::size_t i = 0; i < moments.size(); ++i) {
       const fs::path file = options.folder / fmt::format("{}_{}.png", field.name, moments[i].label);
-      write_contour_picture(
-          file, options.width,
-          {particles[i], field, scale, run.input.domain, run.input.failure_zone_strain, run.input.title,
-           moments[i].caption, true, standing_water_at(run.input, moments[i].snapshot.time)});
-      pictures.written.push_back(file);
+      write_picture(file, pictures, [&] {
+        write_contour_picture(
+            file, options.width,
+            {particles[i], field, scale, run.input.domain, run.input.failure_zone_strain, run.input.title,
+             moments[i].caption, true, standing_water_at(run.input, moments[i].snapshot.time)});
+      });
     }
   }
 }
 
-void write_histories(const RunFolder& run, const PictureOptions& options, std::vector<fs::path>& written) {
-  if (run.history.columns.empty() || run.history.columns.front().size() < 2) {
-    return;
-  }
-  const auto write = [&](const char* name, const std::string& y_title, std::vector<Curve> curves) {
-    const fs::path file = options.folder / (std::string(name) + ".png");
-    write_history_chart(
-        file, options.width,
-        {run.input.title, y_title, run.history.columns.front(), std::move(curves), run.onset, other_onset(run)});
-    written.push_back(file);
-  };
-  auto displacement = history_curves(run.history, "displacement");
-  if (!displacement.empty()) {
-    const auto [factor, unit] = length_unit(displacement);
-    scale_curves(displacement, factor);
-    write("displacement", "Displacement |u| (" + unit + ")", std::move(displacement));
-  }
-  auto suction = history_curves(run.history, "suction");
-  if (!suction.empty()) {
-    scale_curves(suction, 1.0e-3);
-    write("suction", "Suction s (kPa)", std::move(suction));
-  }
-  auto budget = budget_curves(run.budget);
-  if (!budget.empty()) {
-    const fs::path file = options.folder / "budget.png";
-    write_history_chart(file, options.width,
-                        {run.input.title, "Water since the start (m³/m)", run.budget.columns.front(), std::move(budget),
-                         run.onset, other_onset(run)});
-    written.push_back(file);
-  }
+/// What a run is called in its charts.
+std::string title_of(const RunFolder& run) {
+  return run.input.path.empty() ? run.path.filename().string() : run.input.title;
 }
 
-void write_profiles(const RunFolder& run, const PictureOptions& options, std::vector<fs::path>& written) {
-  if (run.input.figures.profile_times.empty()) {
+void write_histories(const RunFolder& run, const PictureOptions& options, Pictures& pictures) {
+  const auto write = [&](const char* name, const std::string& y_title, const std::vector<double>& chart_times,
+                         std::vector<Curve> curves) {
+    const fs::path file = options.folder / (std::string(name) + ".png");
+    write_picture(file, pictures, [&] {
+      write_history_chart(file, options.width,
+                          {title_of(run), y_title, chart_times, std::move(curves), run.onset, other_onset(run)});
+    });
+  };
+  const auto has_rows = [](const CsvTable& table) {
+    return !table.columns.empty() && table.columns.front().size() > 1;
+  };
+  if (has_rows(run.history)) {
+    const auto& times = run.history.columns.front();
+    auto displacement = history_curves(run.history, "displacement");
+    auto suction = history_curves(run.history, "suction");
+    if (displacement.empty() && suction.empty()) {
+      pictures.losses.leave_out(
+          fmt::format("{}: has neither displacements nor suctions", (run.path / "history.csv").string()));
+    }
+    if (!displacement.empty()) {
+      const auto [factor, unit] = length_unit(displacement);
+      scale_curves(displacement, factor);
+      write("displacement", "Displacement |u| (" + unit + ")", times, std::move(displacement));
+    }
+    if (!suction.empty()) {
+      scale_curves(suction, 1.0e-3);
+      write("suction", "Suction s (kPa)", times, std::move(suction));
+    }
+  }
+  if (!has_rows(run.budget)) return;
+  if (std::ranges::none_of(run.budget.names, [](const auto& name) { return name.ends_with(" [m3/m]"); })) {
+    pictures.losses.leave_out(fmt::format("{}: has no amounts of water", (run.path / "budget.csv").string()));
+  }
+  auto budget = budget_curves(run.budget);
+  if (!budget.empty()) write("budget", "Water since the start (m³/m)", run.budget.columns.front(), std::move(budget));
+}
+
+void write_profiles(const RunFolder& run, const PictureOptions& options, Pictures& pictures) {
+  if (run.input.figures.profile_times.empty() || run.snapshots.empty()) {
     return;
   }
   const fs::path file = options.folder / "suction_profile.png";
-  write_profile_chart(file, options.width, run.input.title, timed_profiles(run));
-  written.push_back(file);
+  write_picture(file, pictures, [&] {
+    write_profile_chart(file, options.width, run.input.title, timed_profiles(run, pictures.losses));
+  });
 }
 
 }  // namespace
@@ -133,8 +156,8 @@ Pictures write_pictures(const RunFolder& run, const PictureOptions& options) {
   make_folder(options.folder);
   Pictures pictures;
   write_contours(run, options, pictures);
-  write_histories(run, options, pictures.written);
-  write_profiles(run, options, pictures.written);
+  write_histories(run, options, pictures);
+  write_profiles(run, options, pictures);
   return pictures;
 }
 

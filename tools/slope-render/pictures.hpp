@@ -19,10 +19,12 @@ struct PictureOptions {
 struct Pictures {
   std::vector<std::filesystem::path> written;
   std::vector<std::string> notes;  ///< of times that were asked for and have no snapshot: which one was drawn
+  Losses losses;                   ///< what could not be drawn
 };
 
 /// Draws contour pictures, histories at the verification points and, if the case asks for them, suction profiles.
-/// @throws couple::FileError if a file cannot be read or written; std::invalid_argument for an unknown field.
+/// What cannot be drawn, because a file is damaged or a picture cannot be written, is noted and left out.
+/// @throws couple::FileError if the folder cannot be made; std::invalid_argument for an unknown field.
 Pictures write_pictures(const RunFolder& run, const PictureOptions& options);
 
 }  // namespace slope::tools

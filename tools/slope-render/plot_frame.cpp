@@ -42,9 +42,12 @@ double round_step(const Range& range, double count) {
 
 std::vector<double> multiples(const Range& range, double step) {
   const double slack = 1.0e-6;
+  constexpr double most = 1000.0;
+  const double first = std::ceil(range.low / step - slack);
+  const double count = std::min(std::floor(range.high / step + slack) - first, most);
   std::vector<double> values;
-  for (double n = std::ceil(range.low / step - slack); n <= std::floor(range.high / step + slack); n += 1.0) {
-    values.push_back(n * step);
+  for (double n = 0.0; n <= count; n += 1.0) {
+    values.push_back((first + n) * step);
   }
   return values;
 }

@@ -12,6 +12,7 @@
 #include "colour_maps.hpp"
 #include "csv_table.hpp"
 #include "field_image.hpp"
+#include "particle_file.hpp"
 #include "plot_frame.hpp"
 #include "slope/couple/read_case.hpp"
 #include "time_unit.hpp"
@@ -65,7 +66,7 @@ void draw_rings(Canvas& canvas, const std::vector<Pixel>& points, Colour colour)
   }
   const double room = 3.4 * ring_radius * canvas.em();
   const double height = points.back().y - points.front().y;
-  const auto rings = static_cast<std::size_t>(height / room) + 1;
+  const auto rings = static_cast<std::size_t>(std::abs(height) / room) + 1;
   const std::size_t stride = (points.size() + rings - 1) / rings;
   for (std::size_t i = stride / 2; i < points.size(); i += stride) {
     draw_ring(canvas, points[i], colour);
@@ -91,11 +92,11 @@ Profile suction_profile(vtkPolyData* particles, double unit_weight) {
   struct Layer {
     double volume = 0.0, head = 0.0, height = 0.0;
   };
-  std::map<int, Layer> layers;
+  std::map<double, Layer> layers;
   for (vtkIdType p = 0; p < count; ++p) {
     const double y = particles->GetPoint(p)[1];
     const double v = volume->GetComponent(p, 0);
-    Layer& layer = layers[static_cast<int>(std::floor(y / spacing))];
+    Layer& layer = layers[std::floor(y / spacing)];
     layer.volume += v;
     layer.head += v * suction->GetComponent(p, 0) / unit_weight;
     layer.height += v * y;
@@ -126,6 +127,9 @@ Profile reference_profile(const std::filesystem::path& file, double time) {
       }
     }
   }
+  const auto drawn = [](double value) { return std::abs(value) <= largest_drawn; };
+  if (!std::ranges::all_of(profile.height, drawn) || !std::ranges::all_of(profile.head, drawn))
+    throw couple::FileError(fmt::format("{}: has values that are no numbers that can be drawn", file.string()));
   if (!any || profile.height.empty()) {
     throw couple::FileError(fmt::format("{}: needs the columns z_m and {}<time>, for example {}300", file.string(),
                                         reference_prefix, reference_prefix));

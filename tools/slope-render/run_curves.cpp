@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "drawable_particles.hpp"
+
 namespace slope::tools {
 
 std::vector<Curve> history_curves(const CsvTable& history, const std::string& quantity) {
@@ -60,13 +62,13 @@ std::pair<double, std::string> length_unit(const std::vector<Curve>& curves) {
   return largest >= 0.02 ? std::pair{100.0, std::string("cm")} : std::pair{1000.0, std::string("mm")};
 }
 
-std::vector<TimedProfile> timed_profiles(const RunFolder& run) {
+std::vector<TimedProfile> timed_profiles(const RunFolder& run, Losses& losses) {
   const auto& figures = run.input.figures;
   std::vector<TimedProfile> profiles;
   for (const double time : figures.profile_times) {
     const Snapshot& snapshot = nearest_snapshot(run.snapshots, time);
     TimedProfile profile{time, snapshot.time, {}, {}};
-    profile.computed = suction_profile(read_particles(snapshot.file), run.input.water.unit_weight());
+    profile.computed = suction_profile(read_drawable_particles(snapshot.file, losses), run.input.water.unit_weight());
     if (!figures.profile_reference.empty()) {
       profile.reference = reference_profile(run.path / figures.profile_reference, time);
     }

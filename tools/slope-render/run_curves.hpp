@@ -26,8 +26,8 @@ void scale_curves(std::vector<Curve>& curves, double factor);
 /// Metres, centimetres or millimetres, whichever gives handy numbers: how many of them are a metre, and their name.
 [[nodiscard]] std::pair<double, std::string> length_unit(const std::vector<Curve>& curves);
 
-/// The suction profiles that the case asks for, with their reference.
+/// The suction profiles that the case asks for, with their reference. Particles that cannot be drawn are noted.
 /// @throws couple::FileError if a file cannot be read.
-[[nodiscard]] std::vector<TimedProfile> timed_profiles(const RunFolder& run);
+[[nodiscard]] std::vector<TimedProfile> timed_profiles(const RunFolder& run, Losses& losses);
 
 }  // namespace slope::tools

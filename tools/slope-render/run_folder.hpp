@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "csv_table.hpp"
+#include "losses.hpp"
 #include "particle_file.hpp"
 #include "slope/couple/case.hpp"
 
@@ -20,10 +21,10 @@ struct ZoneSize {
 /// What slope-sim left in an output folder.
 struct RunFolder {
   std::filesystem::path path;
-  couple::Case input;
-  std::vector<Snapshot> snapshots;  ///< at least one
-  CsvTable history;                 ///< columns "name [unit]", the first is the time (s)
-  CsvTable budget;                  ///< of the water, as the history; empty if the folder has none
+  couple::Case input;               ///< its path is empty if it is lost
+  std::vector<Snapshot> snapshots;  ///< at least one, unless they are lost
+  CsvTable history;                 ///< columns "name [unit]", the first is the time (s); empty if it is lost
+  CsvTable budget;                  ///< of the water, as the history; empty if the folder has none or it is lost
   std::optional<double> onset;      ///< of failure, by the criterion that the case chose (s)
   std::optional<double> displacement_onset, runaway_onset;  ///< by each criterion, if the summary tells them (s)
   std::string case_file;                                    ///< that was run, as the summary tells; empty without one
@@ -31,9 +32,14 @@ struct RunFolder {
   std::optional<ZoneSize> zone;                             ///< failure zone at the end, if the summary tells it
 };
 
-/// Reads case.yaml, particles.pvd, history.csv and, if it is there, summary.json.
+/// Reads case.yaml, particles.pvd, history.csv and, if they are there, budget.csv and summary.json.
 /// @throws couple::FileError if one is missing or cannot be read, couple::InputError if case.yaml is no case.
 [[nodiscard]] RunFolder read_run_folder(const std::filesystem::path& path);
+
+/// The same of a folder that may be damaged: what cannot be read is noted, and values that cannot be drawn are NaN.
+/// Where the collection is lost, the particle files are searched for.
+/// @throws couple::FileError if there is no folder.
+[[nodiscard]] RunFolder read_run_folder(const std::filesystem::path& path, Losses& losses);
 
 /// Creates a folder for pictures, if need be.
 /// @throws couple::FileError if that is impossible.

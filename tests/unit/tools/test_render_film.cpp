@@ -16,11 +16,12 @@ namespace fs = std::filesystem;
 TEST(Animation, HasAFrameOfEverySnapshotInOneSizeAndNoOlderOnes) {
   const ScratchFolder scratch;
   write_slope_run(scratch.path() / "run");
+  Losses losses;
   const auto run = read_run_folder(scratch.path() / "run");
   const fs::path folder = scratch.path() / "frames";
   fs::create_directories(folder);
   std::ofstream(folder / "deviatoric_strain_0004.png") << "of a longer run";
-  const auto frames = write_frames(run, "deviatoric_strain", folder, 400);
+  const auto frames = write_frames(run, "deviatoric_strain", folder, 400, losses);
   ASSERT_EQ(frames.count, 4);
   const int height = PictureFile(frames.frame(0)).height();
   for (int i = 0; i < frames.count; ++i) {
@@ -32,12 +33,13 @@ TEST(Animation, HasAFrameOfEverySnapshotInOneSizeAndNoOlderOnes) {
 
 TEST(Animation, KeepsOneScale) {
   const ScratchFolder scratch;
+  Losses losses;
   write_slope_run(scratch.path() / "small", 0.1);
   write_slope_run(scratch.path() / "large", 0.9);
   const auto small =
-      write_frames(read_run_folder(scratch.path() / "small"), "deviatoric_strain", scratch.path() / "a", 400);
+      write_frames(read_run_folder(scratch.path() / "small"), "deviatoric_strain", scratch.path() / "a", 400, losses);
   const auto large =
-      write_frames(read_run_folder(scratch.path() / "large"), "deviatoric_strain", scratch.path() / "b", 400);
+      write_frames(read_run_folder(scratch.path() / "large"), "deviatoric_strain", scratch.path() / "b", 400, losses);
   EXPECT_NE(bytes_of(small.frame(0)), bytes_of(large.frame(0)))
       << "the first frame has the scale that the last one needs";
 }
@@ -64,8 +66,9 @@ constexpr const char* writes_its_last_argument = "for last; do :; done\necho \"$
 
 TEST(Film, IsMadeByTheFirstEncoderThatWorks) {
   const ScratchFolder scratch;
+  Losses losses;
   write_slope_run(scratch.path() / "run");
-  const auto frames = write_frames(read_run_folder(scratch.path() / "run"), "suction", scratch.path(), 400);
+  const auto frames = write_frames(read_run_folder(scratch.path() / "run"), "suction", scratch.path(), 400, losses);
   const OnlyPath path;
 
   const auto built_in = encode_film(frames, scratch.path() / "film", 4);
