@@ -2,7 +2,8 @@
 
 namespace slope::tools {
 
-/// From now on the first SIGINT or SIGTERM only asks the run to stop; a second one ends the program at once.
+/// From now on the first SIGINT, SIGTERM or SIGHUP only asks the run to stop; a second SIGINT or SIGTERM ends the
+/// program at once.
 void catch_interruptions();
 
 /// Whether somebody asked the run to stop.

@@ -7,6 +7,8 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <new>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -14,6 +16,7 @@
 #include "run.hpp"
 #include "slope/couple/geometry.hpp"
 #include "slope/couple/read_case.hpp"
+#include "standard_streams.hpp"
 #include "starter_case.hpp"
 
 namespace {
@@ -24,14 +27,14 @@ using slope::tools::ExitCode;
 void check(const std::string& file, const std::vector<std::string>& overrides) {
   std::vector<slope::couple::Problem> warnings;
   const slope::couple::Case input = slope::couple::read_case(file, overrides, &warnings);
-  for (const auto& warning : warnings) fmt::print(stderr, "warning: {}\n", warning.text());
+  for (const auto& warning : warnings) std::fputs(fmt::format("warning: {}\n", warning.text()).c_str(), stderr);
   const slope::couple::Domain& domain = input.domain;
   const auto cells = [&](std::size_t axis) {
     return std::lround((domain.upper[axis] - domain.lower[axis]) / domain.cell_size);
   };
-  fmt::print("{}: fine: {} particles of {} soil{} on {} x {} cells of {} m, until {:g} s\n", file,
-             first_particles(input).x.size(), input.soils.size(), input.soils.size() == 1 ? "" : "s", cells(0),
-             cells(1), domain.cell_size, input.stop.time);
+  slope::tools::say(fmt::format("{}: fine: {} particles of {} soil{} on {} x {} cells of {} m, until {:g} s\n", file,
+                                first_particles(input).x.size(), input.soils.size(), input.soils.size() == 1 ? "" : "s",
+                                cells(0), cells(1), domain.cell_size, input.stop.time));
 }
 
 void add_case(CLI::App& command, std::string& file, std::vector<std::string>& overrides) {
@@ -59,7 +62,7 @@ void add_running(CLI::App& command, slope::tools::RunOptions& options) {
 }
 
 ExitCode fail(const std::exception& error, ExitCode code) {
-  fmt::print(stderr, "{}\n", error.what());
+  std::fprintf(stderr, "%s\n", error.what());
   return code;
 }
 
@@ -80,22 +83,26 @@ struct FileOptions {
 ExitCode execute(const CLI::App& app, const slope::tools::RunOptions& options, const FileOptions& files) {
   try {
     if (app.got_subcommand("schema")) {
-      fmt::print("{}", slope::couple::case_schema());
+      slope::tools::say(slope::couple::case_schema());
     } else if (app.got_subcommand("check")) {
       check(options.case_file.string(), options.overrides);
     } else if (app.got_subcommand("new")) {
       slope::tools::write_starter_case(files.starter);
-      fmt::print("{}: written; slope-sim run {} -o results\n", files.starter, files.starter);
+      slope::tools::say(fmt::format("{}: written; slope-sim run {} -o results\n", files.starter, files.starter));
     } else if (app.got_subcommand("profile")) {
       slope::tools::write_profile(files.profile, slope::tools::read_poly_line(files.poly_line));
     } else {
-      return slope::tools::run(options);
+      const ExitCode code = slope::tools::run(options);
+      if (code != ExitCode::fine) return code;
     }
+    slope::tools::flush_output();
     return ExitCode::fine;
   } catch (const slope::couple::InputError& error) {
     return fail(error, ExitCode::bad_input);
   } catch (const slope::couple::FileError& error) {
     return fail(error, ExitCode::input_output);
+  } catch (const std::bad_alloc&) {
+    return fail(std::runtime_error("there is not enough memory"), ExitCode::fault);
   } catch (const std::exception& error) {
     return fail(error, ExitCode::fault);
   }
@@ -104,6 +111,8 @@ ExitCode execute(const CLI::App& app, const slope::tools::RunOptions& options, c
 }  // namespace
 
 int main(int argc, char** argv) {
+  slope::tools::open_standard_streams();
+  slope::tools::survive_failed_writes();
   CLI::App app("Rain-induced slope failure: soil as material points, pore water as smoothed particles.", "slope-sim");
   app.set_version_flag("--version", std::string("slope-sim ") + SLOPE_VERSION);
   app.footer(

@@ -15,6 +15,7 @@
 #include "run_writer.hpp"
 #include "slope/couple/read_case.hpp"
 #include "slope/couple/simulation.hpp"
+#include "standard_streams.hpp"
 
 namespace slope::tools {
 
@@ -46,7 +47,7 @@ class Run {
   explicit Run(const RunOptions& options)
       : options_(options),
         input_(read_case_of(options, warnings_)),
-        writer_(options.folder, options.earlier),
+        writer_(usable(options.folder, input_), options.earlier),
         simulation_(make_simulation(input_, writer_.checkpoint(), options.threads)),
         progress_(input_.stop.time, options.quiet) {
     if (writer_.checkpoint()) {
@@ -59,6 +60,16 @@ class Run {
   }
 
   ExitCode execute() {
+    try {
+      return carry_out();
+    } catch (const couple::FileError& error) {
+      leave_word(error.what());
+      throw;
+    }
+  }
+
+ private:
+  ExitCode carry_out() {
     log_beginning();
     const bool goes_on = writer_.checkpoint() && started(*writer_.checkpoint());
     if (goes_on && simulation_.summary().end_reason != "running") {
@@ -81,7 +92,16 @@ class Run {
     return ExitCode::fine;
   }
 
- private:
+  /// The summary tells why the run ended, if the disk takes that much.
+  void leave_word(const std::string& message) {
+    record_.end_reason = "error";
+    record_.message = message;
+    try {
+      write_summary();
+    } catch (const couple::FileError&) {  // what is on disk is as far as it came
+    }
+  }
+
   void log_beginning() {
     writer_.log(fmt::format("slope-sim {}, {:%Y-%m-%d %H:%M:%S} UTC", SLOPE_VERSION, fmt::gmtime(std::time(nullptr))));
     writer_.log(fmt::format("case {}", input_.path));
@@ -220,8 +240,8 @@ class Run {
     writer_.log(report);
     if (options_.quiet) return;
     progress_.clear();
-    std::fputs(report.c_str(), stdout);
-    std::fprintf(stdout, "  %-15s  %s\n", "written to", writer_.folder().c_str());
+    say(report);
+    say(fmt::format("  {:<15}  {}\n", "written to", writer_.folder().string()));
   }
 
   void write_summary() {

@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
+#include <string>
 #include <utility>
 
 #include "slope/couple/read_case.hpp"
@@ -32,13 +34,28 @@ bool is_particle_file(const fs::path& file) {
   return name.starts_with("particles") && (name.ends_with(".vtp") || name.ends_with(".pvd") || name.ends_with(".part"));
 }
 
-/// A run makes its log before anything else. One that was killed at once has left it empty.
+bool is_run_file(const fs::path& file) {
+  return std::ranges::find(run_files, file.filename().string()) != run_files.end() || is_particle_file(file);
+}
+
+/// A run begins its log before anything else, with its name. One that was killed at once has left it empty.
 bool holds_run(const fs::path& folder) {
   if (!fs::is_regular_file(folder / "log.txt")) return false;
   std::ifstream log(folder / "log.txt", std::ios::binary);
   std::string beginning(log_mark.size(), ' ');
   log.read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
   return log.gcount() == 0 || beginning == log_mark;
+}
+
+/// The reference of the figures, as the case names it.
+fs::path reference_of(const couple::Case& input) {
+  return fs::path(input.path).parent_path() / input.figures.profile_reference;
+}
+
+/// What it is called in the folder of the run: not as one of our own files.
+std::string reference_name(const couple::Case& input) {
+  const fs::path name = fs::path(input.figures.profile_reference).filename();
+  return (is_run_file(name) ? "reference_" : "") + name.string();
 }
 
 void remove_run(const fs::path& folder) {
@@ -75,6 +92,19 @@ double note(const couple::Checkpoint& checkpoint, const char* name) {
 
 }  // namespace
 
+fs::path usable(const fs::path& folder, const couple::Case& input) {
+  std::error_code error;
+  if (input.figures.profile_reference.empty()) return folder;
+  const fs::path reference = fs::canonical(reference_of(input), error);
+  if (!error && is_run_file(reference) && fs::equivalent(reference.parent_path(), folder, error)) {
+    throw couple::FileError(
+        fmt::format("{}: would be replaced by the run's own; choose another output folder, or give "
+                    "the reference of the figures another name",
+                    reference.string()));
+  }
+  return folder;
+}
+
 bool started(const couple::Checkpoint& checkpoint) {
   return note(checkpoint, note_started) != 0.0;
 }
@@ -103,14 +133,14 @@ RunWriter::RunWriter(fs::path folder, EarlierRun earlier) : folder_(std::move(fo
 }
 
 couple::Case RunWriter::case_in_folder(couple::Case input) {
-  input.figures.profile_reference = fs::path(input.figures.profile_reference).filename().string();
+  input.figures.profile_reference = reference_name(input);
   return input;
 }
 
 void RunWriter::write_case(const couple::Case& input) {
   if (!input.figures.profile_reference.empty()) {
-    const fs::path source = fs::path(input.path).parent_path() / input.figures.profile_reference;
-    const fs::path copy = folder_ / source.filename();
+    const fs::path source = reference_of(input);
+    const fs::path copy = folder_ / reference_name(input);
     std::error_code error;
     if (!fs::equivalent(source, copy, error)) {
       fs::copy_file(source, copy, fs::copy_options::overwrite_existing, error);

@@ -19,6 +19,10 @@ namespace slope::tools {
 /// What becomes of an earlier run that lies in the output folder.
 enum class EarlierRun { refuse, overwrite, resume };
 
+/// An output folder, unless the run would put a file of its own in the place of one that its case needs.
+/// @throws couple::FileError if it would.
+[[nodiscard]] std::filesystem::path usable(const std::filesystem::path& folder, const couple::Case& input);
+
 /// The output folder of a run: case.yaml, log.txt, history.csv, budget.csv, summary.json, particles_*.vtp,
 /// particles.pvd and checkpoint.bin. Every function throws couple::FileError if the disk does not take what it gives.
 class RunWriter {

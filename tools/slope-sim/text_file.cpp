@@ -23,8 +23,12 @@ void write_at_once(const std::filesystem::path& file, std::string_view content) 
   std::ofstream stream(unfinished, std::ios::binary);
   stream << content;
   stream.close();
-  if (!stream) throw couple::FileError(fmt::format("{}: cannot be written: {}", file.string(), system_message()));
+  const std::string reason = stream ? "" : system_message();
   std::error_code error;
+  if (!stream) {
+    std::filesystem::remove(unfinished, error);
+    throw couple::FileError(fmt::format("{}: cannot be written: {}", file.string(), reason));
+  }
   std::filesystem::rename(unfinished, file, error);
   if (error) throw couple::FileError(fmt::format("{}: cannot be written: {}", file.string(), error.message()));
 }
