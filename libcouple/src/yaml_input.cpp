@@ -138,7 +138,8 @@ Document parse_yaml(const std::string& text, const std::string& file, std::vecto
   try {
     const std::vector<YAML::Node> documents = YAML::LoadAll(text);
     if (documents.empty() || documents.front().IsNull()) {
-      problems.push_back({file, 0, "", "the file is empty"});
+      problems.push_back(
+          {file, 0, "", file == override_source ? "expected a value, got nothing" : "the file is empty"});
       return {};
     }
     if (documents.size() > 1) {
