@@ -69,7 +69,7 @@ std::vector<Point> Frame::outline_of(const std::vector<Point>& polygon) const {
   outline.erase(std::unique(outline.begin(), outline.end()), outline.end());
   while (outline.size() > 1 && outline.front() == outline.back()) outline.pop_back();
   if (signed_area(outline) < 0.0) std::ranges::reverse(outline);
-  if (!outline.empty()) std::ranges::rotate(outline, std::ranges::min_element(outline));
+  if (!outline.empty()) std::rotate(outline.begin(), std::ranges::min_element(outline), outline.end());
   return outline;
 }
 

@@ -43,8 +43,7 @@ std::vector<Piece> tops_between(const std::vector<Region>& regions, double left,
 
 std::vector<double> sorted_once(std::vector<double> values) {
   std::ranges::sort(values);
-  const auto rest = std::ranges::unique(values);
-  values.erase(rest.begin(), rest.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
   return values;
 }
 
