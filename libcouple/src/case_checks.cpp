@@ -444,22 +444,24 @@ void doubt_hanging_soil(const Input& place, const InitialParticles& particles, c
 }  // namespace
 
 void check_case(const Input& root, const Case& input) {
-  if (root.clean("domain")) check_domain(root.at("domain"), input.domain);
+  // A key that is misspelt is told as such, and has no value.
+  const auto given = [&root](const char* key) { return root.has(key) && root.clean(key); };
+  if (given("domain")) check_domain(root.at("domain"), input.domain);
   const Input geometry = root.at("geometry");
-  if (root.clean("domain") && root.clean("geometry")) check_size(root, input);
-  if (root.clean("domain") && root.clean("geometry")) {
+  if (given("domain") && given("geometry")) check_size(root, input);
+  if (given("domain") && given("geometry")) {
     for (std::size_t i = 0; i < input.regions.size(); ++i)
       check_region(geometry.item(i), input.domain, input.regions[i]);
   }
-  const bool soil_is_known = root.clean("domain") && root.clean("geometry") && !input.soils.empty();
+  const bool soil_is_known = given("domain") && given("geometry") && !input.soils.empty();
   if (soil_is_known && root.clean("points")) check_points(root, input);
   const Input water = root.at("water_boundaries");
   if (root.clean("water_boundaries")) {
     check_names(water, input.water_boundaries);
     check_overlaps(water, input.water_boundaries);
-    if (root.clean("initial")) check_steady(root, input);
+    if (given("initial")) check_steady(root, input);
     if (root.clean("coupling") && root.clean("water_boundaries")) check_reservoirs(water, input);
-    if (root.clean("stop")) check_rain_ends(water, input);
+    if (given("stop")) check_rain_ends(water, input);
   }
   if (root.clean("loads")) check_names(root.at("loads"), input.tractions);
   if (soil_is_known) {
@@ -476,13 +478,13 @@ void check_case(const Input& root, const Case& input) {
                              (placed.domain.upper[0] - placed.domain.lower[0]) / placed.domain.cell_size;
       doubt_hanging_soil(geometry, particles, frame, static_cast<int>(std::lround(columns)));
     }
-    if (root.clean("water_boundaries") && root.clean("initial") && root.clean("coupling")) {
+    if (root.clean("water_boundaries") && given("initial") && root.clean("coupling")) {
       check_water_table(root.at("initial").at("water"), placed, particles, frame);
     }
   }
-  if (root.clean("initial") && root.clean("soils")) check_k0(root, input);
-  if (root.clean("soils")) doubt_grains(root.at("soils"), input);
-  if (root.clean("stop") && root.clean("output") && root.clean("figures")) {
+  if (given("initial") && given("soils")) check_k0(root, input);
+  if (given("soils")) doubt_grains(root.at("soils"), input);
+  if (given("stop") && root.clean("output") && root.clean("figures")) {
     check_output(root.at("output"), input);
     check_times(root.at("output").at("snapshots"), input.output.snapshots, input.stop.time);
     check_times(root.at("figures").at("profile_times"), input.figures.profile_times, input.stop.time);

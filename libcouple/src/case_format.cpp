@@ -164,7 +164,7 @@ Field<Case> geometry_field() {
   const auto read = [format](const Input& input, Case& result) {
     std::vector<RegionText> texts;
     format.read(input, texts);
-    const bool sound = input.clean("geometry") && input.clean("domain");
+    const bool sound = input.clean("geometry") && input.clean("domain") && result.domain.cell_size > 0.0;
     std::vector<std::string> names;
     for (const Soil& soil : result.soils) names.push_back(soil.name);
     for (std::size_t i = 0; i < texts.size(); ++i) {

@@ -40,6 +40,12 @@ void add_figure_times(Case& input) {
   times.erase(std::unique(times.begin(), times.end()), times.end());
 }
 
+/// The format is large, and the same for every case.
+const Format<Case>& format_of_cases() {
+  static const Format<Case> format = case_format();
+  return format;
+}
+
 }  // namespace
 
 Case read_case(const std::filesystem::path& file, const std::vector<std::string>& overrides,
@@ -53,7 +59,7 @@ Case read_case(const std::filesystem::path& file, const std::vector<std::string>
   Case result;
   result.path = name;
   const Input root(document, name, problems, warnings);
-  case_format().read(root, result);
+  format_of_cases().read(root, result);
   if (!root.at("output").has("history_interval")) {
     result.output.history_interval = std::max(1.0, 1.0e-3 * result.stop.time);
   }
@@ -69,7 +75,7 @@ Case read_case(const std::filesystem::path& file, const std::vector<std::string>
 }
 
 std::string resolved_yaml(const Case& input) {
-  return yaml_text(case_format().write(input));
+  return yaml_text(format_of_cases().write(input));
 }
 
 std::string case_schema() {
@@ -78,7 +84,7 @@ std::string case_schema() {
       .set("title", Document::text("slope case"))
       .set("description",
            Document::text("A case of slope-sim: rain-induced slope failure. Dimensional values carry their unit."));
-  const Document full = case_format().schema;
+  const Document& full = format_of_cases().schema;
   Document including = Document::map();
   including.set("required", Document::list({Document::text(include_key)}));
   schema.set("type", Document::text("object"))
