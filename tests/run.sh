@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds, and runs every test but the long ones. Usage: tests/run.sh [ctest option...]
-# With CI set, warnings are errors and the formatting must have been checked.
+# With CI set, warnings are errors, the formatting must have been checked, and the unit tests of the libraries run under
+# the sanitizers too.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 clang_format_version=14
@@ -26,3 +27,6 @@ fi
 cmake --preset release -D SLOPE_WERROR=$strict
 cmake --build --preset release --target all all_verify_interface_header_sets
 ctest --preset release "$@"
+if [ "$strict" = ON ]; then
+  tests/sanitize.sh
+fi

@@ -58,6 +58,26 @@ TEST(Document, WhatIsNotFiniteBecomesNull) {
   EXPECT_EQ(json_text(root), "{\n  \"nan\": null,\n  \"inf\": null\n}\n");
 }
 
+TEST(Document, TextsThatReadLikeSomethingElseAreQuoted) {
+  for (const char* title :
+       {"- my slope", "NULL", "null", "~",  "True", "off",  "No", "1e5",   "0x10", "a: b", "# a", "[a]", "&a",
+        "*a",         "!a",   "",     " a", "a ",   "a\nb", "'a", "\"a\"", "1.5",  "-",    "?",   "%a",  "@a"}) {
+    Document root = Document::map();
+    root.set("title", Document::text(title));
+    EXPECT_EQ(parsed(yaml_text(root)).find("title")->value, title);
+    EXPECT_TRUE(yaml_text(root).ends_with("\"\n")) << yaml_text(root);
+  }
+  Document quantity = Document::map();
+  quantity.set("level", Document::text("-1.5 m")).set("title", Document::text("A slope (wet), 2"));
+  EXPECT_EQ(yaml_text(quantity), "level: -1.5 m\ntitle: \"A slope (wet), 2\"\n");
+}
+
+TEST(Document, ExponentsAreNumbersForEveryYamlReader) {
+  EXPECT_EQ(Document::number(1e-6).value, "1.0e-06");
+  EXPECT_EQ(Document::number(1.5e-6).value, "1.5e-06");
+  EXPECT_EQ(Document::number(1e300).value, "1.0e+300");
+}
+
 TEST(Document, SetReplacesAnEntryInItsPlace) {
   Document root = Document::map();
   root.set("a", Document::number(1)).set("b", Document::number(2)).set("a", Document::number(3));

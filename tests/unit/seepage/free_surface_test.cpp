@@ -135,7 +135,8 @@ TEST(FreeSurface, OfALooseParticleFacesUpwards) {
   EXPECT_NEAR(surface.pieces()[0].ny, 1.0, 1e-12);
   EXPECT_NEAR(surface.pieces()[0].width, spacing, 1e-12);
   // a row with air below and above it catches the rain on its upper side
-  for (const SurfacePiece& piece : found(lattice(6, 1, spacing), {.left = 0.0, .right = 1.5}).pieces()) {
+  const FreeSurface row = found(lattice(6, 1, spacing), {.left = 0.0, .right = 1.5});
+  for (const SurfacePiece& piece : row.pieces()) {
     EXPECT_NEAR(piece.ny, 1.0, 1e-12);
     EXPECT_NEAR(piece.width, spacing, 1e-12);
   }
