@@ -6,9 +6,9 @@
 
 #include <cerrno>
 #include <csignal>
-#include <initializer_list>
 #include <cstdio>
 #include <cstring>
+#include <initializer_list>
 
 #include "slope/couple/read_case.hpp"
 
