@@ -101,7 +101,7 @@ TEST_F(Surroundings, FilesOfTheUserInTheOutputFolderAreKept) {
 }
 
 TEST_F(Surroundings, TheFolderOfARunThatWasKilledAtOnceIsUsedAgain) {
-  EXPECT_EQ(shell("mkdir run; touch run/log.txt; \"$sim\" run \"$box\" -o run").exit_code, 0);
+  EXPECT_EQ(shell("mkdir run; touch run/log.txt; \"$sim\" run \"$box\" -o run --overwrite").exit_code, 0);
 }
 
 TEST_F(Surroundings, AReferenceWithTheNameOfOurOwnFilesGoesAlong) {
