@@ -33,7 +33,7 @@ run() { # folder, case, overrides
   local folder=$1 case=$2 settings=()
   shift 2
   for setting in "$@"; do settings+=(--set "$setting"); done
-  "$slope_sim" run "cases/paper/$case.yaml" -o "$folder" --threads 1 --quiet "${settings[@]}"
+  "$slope_sim" run "cases/paper/$case.yaml" -o "$folder" --threads 1 --overwrite --quiet "${settings[@]}"
 }
 
 jobs_at_once=2

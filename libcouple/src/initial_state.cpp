@@ -12,8 +12,12 @@ namespace slope::couple {
 
 namespace {
 
-constexpr double balanced = 1.0e-6;      // unbalanced over gravity forces at which the stress is taken as found
-constexpr double longest_search = 40.0;  // first periods
+constexpr double balanced = 1.0e-6;  // unbalanced over gravity forces at which the stress is taken as found
+// The search is looked at when it has gone on for this many first periods, and each time this has doubled: it goes on
+// while what is unbalanced has fallen by enough. Soil that stands by a hair comes to rest slowly; soil that falls does
+// not.
+constexpr double first_look = 20.0, last_look = 640.0;
+constexpr double still_falling = 0.7;  // of what was unbalanced at the look before
 constexpr int steps_between_questions = 20;
 
 std::string number_text(double value) {
@@ -31,8 +35,14 @@ std::optional<double> find_balance(Mixture& mixture, const Actions& actions, con
   solid::MaterialPointMethod& soil = mixture.soil;
   const solid::StepMode mode{.yields = yields, .moves = false, .accumulates_strain = false};
   double unbalanced = 0.0;
+  double look = first_look, before = never;
   int steps = 0;
-  for (double t = 0.0; t < longest_search * scale.period(); t += time_step) {
+  for (double t = 0.0;; t += time_step) {
+    if (t >= look * scale.period()) {
+      if (unbalanced > still_falling * before || look >= last_look) break;
+      before = unbalanced;
+      look *= 2.0;
+    }
     soil.predict(time_step, mixture.pore_state(), actions.tractions, damping, actions.body_acceleration,
                  actions.standing_water.view());
     soil.advance(time_step, mixture.water.suction(), mode);

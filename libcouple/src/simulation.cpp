@@ -424,7 +424,10 @@ std::string Simulation::Run::text_of(const solid::SolidError& error) const {
 Verdict Simulation::Run::verdict() const {
   if (input.scheme == Scheme::seepage) return Verdict::water_alone;
   if (!now.result.stands_before) return Verdict::does_not_stand;
-  if (now.result.onset_time) return Verdict::fails;
+  if (now.result.onset_time) {
+    const bool slides = now.result.runaway_onset || zone().area > 0.0;
+    return slides ? Verdict::fails : Verdict::moves;
+  }
   return now.result.end_reason == "time" ? Verdict::stands : Verdict::undecided;
 }
 

@@ -92,7 +92,7 @@ TEST(SummaryJson, HasTheVerdictFirstAndTheSlideBesideTheZone) {
   EXPECT_TRUE(json["slide"]["at_end"]["run_out_m"].IsNull());
   EXPECT_TRUE(json["slide"]["at_end"]["first_toe_m"].IsNull());
   for (const auto& [verdict, text] :
-       {std::pair{couple::Verdict::stands, "stands"},
+       {std::pair{couple::Verdict::stands, "stands"}, std::pair{couple::Verdict::moves, "moves without failing"},
         std::pair{couple::Verdict::does_not_stand, "does not stand before the start"},
         std::pair{couple::Verdict::water_alone, "water alone"}, std::pair{couple::Verdict::undecided, "undecided"}}) {
     summary.verdict = verdict;
@@ -136,6 +136,11 @@ TEST(Report, BeginsWithTheVerdict) {
             "does not stand before the rain: no balance was found, 1.2 % of the weight stays unbalanced");
   summary.verdict = couple::Verdict::stands;
   EXPECT_EQ(verdict_text(input, summary), "stands until the end, 890.5 s");
+  summary.verdict = couple::Verdict::moves;
+  summary.largest_displacement = 0.036;
+  EXPECT_EQ(
+      verdict_text(input, summary),
+      "moves without failing, by 3.6 cm until 890.5 s: the motion has not run away, and nothing has sheared by 2 %");
   summary.verdict = couple::Verdict::undecided;
   EXPECT_EQ(verdict_text(input, summary), "undecided: it stands until 890.5 s, where the run was ended");
 }

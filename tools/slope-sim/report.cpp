@@ -58,6 +58,11 @@ std::string verdict_text(const couple::Case& input, const couple::Summary& summa
   switch (summary.verdict) {
     case couple::Verdict::stands:
       return fmt::format("stands until the end, {}", seconds_text(summary.time));
+    case couple::Verdict::moves:
+      return fmt::format(
+          "moves without failing, by {:.2g} cm until {}: the motion has not run away, and nothing has sheared by {:g} "
+          "%",
+          100.0 * summary.largest_displacement, seconds_text(summary.time), 100.0 * input.failure_zone_strain);
     case couple::Verdict::fails:
       return fmt::format("fails{}, after {}", under_what(input), seconds_text(*summary.onset_time));
     case couple::Verdict::does_not_stand:

@@ -99,6 +99,8 @@ Document verdict_of(couple::Verdict verdict) {
   switch (verdict) {
     case couple::Verdict::stands:
       return Document::text("stands");
+    case couple::Verdict::moves:
+      return Document::text("moves without failing");
     case couple::Verdict::fails:
       return Document::text("fails");
     case couple::Verdict::does_not_stand:

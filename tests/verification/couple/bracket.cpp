@@ -81,6 +81,25 @@ TEST(Bracket, FallsWithItsStrengthDividedBy15) {
                      at_most(4.0), summary.time, "s"));
 }
 
+// With a factor of 1.008 a slope comes to rest slowly; what is left when the search for its stress ends, moves it
+// later.
+TEST(RoadCut, IsInBalanceBeforeItsRain) {
+  const couple::Simulation simulation = start_shipped_case("rain/road-cut.yaml");
+  EXPECT_TRUE(record("bracket-5", "Road cut, factor 1.008: forces out of balance before its rain, over the weight",
+                     at_most(1.0), 1e6 * simulation.summary().initial_unbalanced_ratio, "1e-6"));
+}
+
+TEST(Swelling, IsNoFailure) {
+  couple::Simulation simulation = start_case("swelling.yaml");
+  run(simulation, [](const couple::ParticleTable&) {});
+  const couple::Summary summary = simulation.summary();
+  EXPECT_GT(summary.largest_displacement, summary.onset_criterion);
+  EXPECT_TRUE(summary.displacement_onset.has_value());
+  EXPECT_FALSE(summary.runaway_onset.has_value());
+  EXPECT_EQ(summary.zone_at_end.area, 0.0);
+  EXPECT_EQ(summary.verdict, couple::Verdict::moves);
+}
+
 // Clay that flows at constant volume under an embankment, with three cells in its depth.
 TEST(RoadEmbankment, FailsWithAFactorOfSafetyOf091OnCoarseCells) {
   couple::Simulation simulation = start_case("road_embankment.yaml");

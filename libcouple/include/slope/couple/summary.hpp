@@ -64,6 +64,8 @@ struct Slide {
 enum class Verdict {
   undecided,       ///< it stands so far, but the run has not come to its end
   stands,          ///< no onset of failure until the end
+  moves,           ///< the largest displacement passed that of the onset, but nothing ran away, and nothing sheared by
+                   ///< more than the failure zone's strain: it swells, settles or creeps
   fails,           ///< it stood before the start, and failed then
   does_not_stand,  ///< no balance was found before the start
   water_alone,     ///< the soil was not asked
