@@ -87,6 +87,7 @@ struct Simulation::Run {
         rest(std::sqrt(scale.height / scale.gravity)),
         snapshot_times(input.output.snapshots) {
     now.time_step = stable_step(scheme, mixture, input.numerics.courant_number);
+    now.first_storage = mixture.water.stored_water();
     now.result.end_reason = running;
     now.result.onset_criterion = input.onset_displacement;
     now.result.particles = particles.x.size();

@@ -36,6 +36,10 @@ Rows finish(Simulation& simulation) {
   return rows;
 }
 
+TEST(Simulation, HasStoredNothingBeforeItsInitialState) {
+  EXPECT_EQ(Simulation(case_of({})).progress().water.storage, 0.0);
+}
+
 TEST_P(State, IsAllThatARunNeedsToGoOn) {
   const Case input = case_of(GetParam().changes);
   Simulation original(input);
