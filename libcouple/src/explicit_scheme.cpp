@@ -30,7 +30,7 @@ seepage::SolveReport ExplicitScheme::step(Mixture& mixture, const Actions& actio
   // 1 to 5: the soil with the total stress of the step before
   soil.predict(time_step, mixture.pore_state(), actions.tractions, 0.0, actions.body_acceleration,
                actions.standing_water.view());
-  soil.advance(time_step, water.suction());
+  soil.advance(time_step, water.suction(), {.restored_losses = 1.0 - 1.0 / clock_factor});
 
   // 6 to 9: the water with the soil's new positions and velocities
   const std::size_t n = soil.particles().size();

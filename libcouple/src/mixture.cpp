@@ -102,10 +102,9 @@ void Mixture::set_state(MixtureState state) {
 }
 
 void Mixture::slow_down(double factor) {
-  solid::Particles& p = soil.particles();
-  for (auto* field : {&p.vx, &p.vy, &p.cxx, &p.cxy, &p.cyx, &p.cyy}) {
-    for (double& value : *field) value *= factor;
-  }
+  soil.particles().for_each_velocity([factor](std::vector<double>& field) {
+    for (double& value : field) value *= factor;
+  });
 }
 
 void Mixture::weigh_water() {

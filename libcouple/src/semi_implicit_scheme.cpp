@@ -32,7 +32,7 @@ seepage::SolveReport SemiImplicitScheme::step(Mixture& mixture, const Actions& a
 
   // Advance: positions, strain, porosity, effective stress (Eqs. 11-16); then saturation, permeability and the books of
   // the water (Eqs. 8-10).
-  soil.advance(time_step, water.suction());
+  soil.advance(time_step, water.suction(), {.restored_losses = 1.0 - 1.0 / clock_factor});
   water.finish(water_step, mixture.skeleton(), actions.water);
   mixture.weigh_water();
   return report;

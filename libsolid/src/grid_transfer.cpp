@@ -195,7 +195,28 @@ void MaterialPointMethod::scatter(const PoreState& pore, const SurfacePressure& 
   });
 }
 
-template <bool affine>
+namespace {
+
+// Steps over which losses are averaged before they are given back: ten of them see a cell vibrate four times.
+constexpr double loss_memory = 20.0;
+
+// A velocity field of the grid as a particle sees it: sum N v, and sum N v (x_i - x_p) along x and y.
+struct Moments {
+  Eigen::Array2d value = Eigen::Array2d::Zero(), x = Eigen::Array2d::Zero(), y = Eigen::Array2d::Zero();
+
+  // Adds row b of the particle's nodes; the arm is dx + a h along it and dy + b h across.
+  template <class Weights>
+  void add_row(const Weights& w, int b, double h, const Eigen::Array2d* v) {
+    const Eigen::Array2d along = w.nx[0] * v[0] + w.nx[1] * v[1] + w.nx[2] * v[2];
+    value += w.ny[b] * along;
+    x += w.ny[b] * (w.dx * along + h * (w.nx[1] * v[1] + 2.0 * w.nx[2] * v[2]));
+    y += w.ny[b] * (w.dy + b * h) * along;
+  }
+};
+
+}  // namespace
+
+template <MaterialPointMethod::Transfer transfer>
 void MaterialPointMethod::gather(double dt, const StepMode& mode) {
   using Eigen::Array2d;
   const std::size_t columns = std::size_t(grid_.node_columns());
@@ -203,53 +224,58 @@ void MaterialPointMethod::gather(double dt, const StepMode& mode) {
   const double affine_scale = 4.0 / (h * h);
   const bool linear = settings_.shape_function == ShapeFunction::linear;
   const double flip = settings_.flip_fraction;
+  Particles& f = state_.particles;
 #pragma omp parallel for schedule(static) num_threads(settings_.threads) if (settings_.threads > 1)
-  for (std::size_t p = 0; p < state_.particles.size(); ++p) {
+  for (std::size_t p = 0; p < f.size(); ++p) {
     const ParticleWeights& w = weights_[p];
-    Array2d velocity = Array2d::Zero(), change = Array2d::Zero();
-    Array2d moment_x = Array2d::Zero(), moment_y = Array2d::Zero();
+    Moments after, before;
     Array2d gradient_x = Array2d::Zero(), gradient_y = Array2d::Zero();
     std::size_t node = w.node;
     for (int b = 0; b < 3; ++b, node += columns) {
       const Array2d* v = velocity_.data() + node;
-      const Array2d along = w.nx[0] * v[0] + w.nx[1] * v[1] + w.nx[2] * v[2];
-      velocity += w.ny[b] * along;
       gradient_x += w.ny[b] * (w.gx[0] * v[0] + w.gx[1] * v[1] + w.gx[2] * v[2]);
-      gradient_y += w.gy[b] * along;
-      if constexpr (affine) {
-        // sums of N v (x_i - x_p): the arm is dx + a h along the row and dy + b h along the column
-        moment_x += w.ny[b] * (w.dx * along + h * (w.nx[1] * v[1] + 2.0 * w.nx[2] * v[2]));
-        moment_y += w.ny[b] * (w.dy + b * h) * along;
-      } else {
-        const Array2d* old = old_velocity_.data() + node;
-        change += w.ny[b] * (along - (w.nx[0] * old[0] + w.nx[1] * old[1] + w.nx[2] * old[2]));
-      }
+      gradient_y += w.gy[b] * (w.nx[0] * v[0] + w.nx[1] * v[1] + w.nx[2] * v[2]);
+      after.add_row(w, b, h, v);
+      if constexpr (transfer != Transfer::apic) before.add_row(w, b, h, old_velocity_.data() + node);
     }
     velocity_gradient_[p] = {gradient_x.x(), gradient_y.x(), gradient_x.y(), gradient_y.y()};
-    if constexpr (affine) {
-      state_.particles.vx[p] = velocity.x();
-      state_.particles.vy[p] = velocity.y();
+    if constexpr (transfer == Transfer::flip) {
+      f.vx[p] = flip * (f.vx[p] + after.value.x() - before.value.x()) + (1.0 - flip) * after.value.x();
+      f.vy[p] = flip * (f.vy[p] + after.value.y() - before.value.y()) + (1.0 - flip) * after.value.y();
+    } else if constexpr (transfer == Transfer::apic) {
+      f.vx[p] = after.value.x();
+      f.vy[p] = after.value.y();
       if (!linear) {
-        state_.particles.cxx[p] = affine_scale * moment_x.x();
-        state_.particles.cyx[p] = affine_scale * moment_x.y();
-        state_.particles.cxy[p] = affine_scale * moment_y.x();
-        state_.particles.cyy[p] = affine_scale * moment_y.y();
+        f.cxx[p] = affine_scale * after.x.x();
+        f.cyx[p] = affine_scale * after.x.y();
+        f.cxy[p] = affine_scale * after.y.x();
+        f.cyy[p] = affine_scale * after.y.y();
       }
     } else {
-      state_.particles.vx[p] = flip * (state_.particles.vx[p] + change.x()) + (1.0 - flip) * velocity.x();
-      state_.particles.vy[p] = flip * (state_.particles.vy[p] + change.y()) + (1.0 - flip) * velocity.y();
+      const bool keeps = !beside_absorbing_wall_[grid_cell_of_[p]];
+      const auto restore = [&](double& moved, double& lost, double now, double kept) {
+        lost = keeps ? lost + (moved - kept - lost) / loss_memory : 0.0;
+        moved = now + mode.restored_losses * lost;
+      };
+      restore(f.vx[p], f.lost_vx[p], after.value.x(), before.value.x());
+      restore(f.vy[p], f.lost_vy[p], after.value.y(), before.value.y());
+      restore(f.cxx[p], f.lost_cxx[p], affine_scale * after.x.x(), affine_scale * before.x.x());
+      restore(f.cyx[p], f.lost_cyx[p], affine_scale * after.x.y(), affine_scale * before.x.y());
+      restore(f.cxy[p], f.lost_cxy[p], affine_scale * after.y.x(), affine_scale * before.y.x());
+      restore(f.cyy[p], f.lost_cyy[p], affine_scale * after.y.y(), affine_scale * before.y.y());
     }
     if (mode.moves) {
-      state_.particles.x[p] += dt * velocity.x();
-      state_.particles.y[p] += dt * velocity.y();
-      state_.particles.ux[p] += dt * velocity.x();
-      state_.particles.uy[p] += dt * velocity.y();
+      f.x[p] += dt * after.value.x();
+      f.y[p] += dt * after.value.y();
+      f.ux[p] += dt * after.value.x();
+      f.uy[p] += dt * after.value.y();
     }
   }
 }
 
-template void MaterialPointMethod::gather<true>(double, const StepMode&);
-template void MaterialPointMethod::gather<false>(double, const StepMode&);
+template void MaterialPointMethod::gather<MaterialPointMethod::Transfer::flip>(double, const StepMode&);
+template void MaterialPointMethod::gather<MaterialPointMethod::Transfer::apic>(double, const StepMode&);
+template void MaterialPointMethod::gather<MaterialPointMethod::Transfer::restoring_apic>(double, const StepMode&);
 
 // Linear shape functions: the gradient does not vanish with the shape function, so a node that a particle just touches
 // would strain the soil without bound. The strain therefore comes from the particles' new velocities, mapped to the

@@ -82,10 +82,7 @@ double MaterialPointMethod::stable_step(double courant_number, std::span<const d
 }
 
 void MaterialPointMethod::stop() {
-  for (auto* field : {&state_.particles.vx, &state_.particles.vy, &state_.particles.cxx, &state_.particles.cxy,
-                      &state_.particles.cyx, &state_.particles.cyy}) {
-    std::fill(field->begin(), field->end(), 0.0);
-  }
+  state_.particles.for_each_velocity([](std::vector<double>& field) { std::fill(field.begin(), field.end(), 0.0); });
 }
 
 void MaterialPointMethod::predict(double dt, const PoreState& pore, std::span<const ParticleTraction> tractions,
@@ -148,14 +145,27 @@ void MaterialPointMethod::advance(double dt, std::span<const double> suction, co
   if (state_.walls_released && mode.moves) {
     for (const WallNode& wall : wall_nodes_) pair(memory_of(wall).displacement) += dt * velocity_[wall.on];
   }
-  if (settings_.flip_fraction < 0.0) {
-    gather<true>(dt, mode);
+  if (settings_.flip_fraction >= 0.0) {
+    gather<Transfer::flip>(dt, mode);
+  } else if (settings_.shape_function == ShapeFunction::linear || mode.restored_losses == 0.0) {
+    forget_losses();
+    gather<Transfer::apic>(dt, mode);
   } else {
-    gather<false>(dt, mode);
+    state_.has_losses = true;
+    gather<Transfer::restoring_apic>(dt, mode);
   }
   if (settings_.shape_function == ShapeFunction::linear) remap_velocity();
   update_stress(dt, suction, mode);
   check();
+}
+
+void MaterialPointMethod::forget_losses() {
+  if (!state_.has_losses) return;
+  state_.has_losses = false;
+  Particles& p = state_.particles;
+  for (auto* lost : {&p.lost_vx, &p.lost_vy, &p.lost_cxx, &p.lost_cxy, &p.lost_cyx, &p.lost_cyy}) {
+    std::fill(lost->begin(), lost->end(), 0.0);
+  }
 }
 
 void MaterialPointMethod::check() const {

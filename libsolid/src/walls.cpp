@@ -98,6 +98,15 @@ void MaterialPointMethod::find_wall_nodes() {
     first_wall_node_[number + 1] = wall_nodes_.size();
   }
   state_.walls.resize(wall_nodes_.size());
+  const auto absorbs = [](Wall wall) { return wall == Wall::absorbing; };
+  beside_absorbing_wall_.assign(grid_.cell_count(), 0);
+  for (int row = 0; row < grid_.rows; ++row) {
+    for (int column = 0; column < grid_.columns; ++column) {
+      const bool beside = (absorbs(grid_.walls.left) && column < 2) || (absorbs(grid_.walls.base) && row < 2) ||
+                          (absorbs(grid_.walls.right) && column >= grid_.columns - 2);
+      beside_absorbing_wall_[std::size_t(row) * std::size_t(grid_.columns) + std::size_t(column)] = beside;
+    }
+  }
   for (WallNode& wall : wall_nodes_) {
     if (wall.normal != 1) continue;
     if (wall.on == grid_.node(0, 0) && grid_.walls.left == Wall::friction) wall.beside = 1.0;

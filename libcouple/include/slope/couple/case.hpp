@@ -184,7 +184,7 @@ struct Numerics {
 /// How much faster than the solid's own clock physical time may run.
 struct Clock {
   bool adaptive = true;              ///< false: real time throughout
-  double unbalanced_limit = 1.0e-4;  ///< unbalanced forces over the weight (-), > 0, above which the clock slows down:
+  double unbalanced_limit = 1.0e-5;  ///< unbalanced forces over the weight (-), > 0, above which the clock slows down:
                                      ///< below it the factor grows, above 1.5 times it the factor falls
   double maximum_factor = 1.0e9;     ///< largest factor (-), >= 1
 };

@@ -70,6 +70,11 @@ struct StepMode {
   bool yields = true;              ///< false: elastic, whatever the strength
   bool moves = true;               ///< false: stress builds up at fixed positions, volumes and porosity
   bool accumulates_strain = true;  ///< false: neither strain nor plastic strain is added up
+  /// Share, in [0, 1], of what APIC takes from lasting motion that the particles get back. The transfer smooths what
+  /// lies below the grid, as a viscosity would, which soil that creeps with a clock factor Theta > 1 feels Theta times
+  /// as much as in real time; a share of 1 - 1 / Theta leaves it as much as in real time. Vibrations are damped all the
+  /// same. Of no effect on linear shape functions and FLIP, and within two cells of an absorbing wall.
+  double restored_losses = 0.0;
 };
 
 /// Sums over the grid of the latest step, for histories and control.
@@ -139,6 +144,7 @@ class MaterialPointMethod {
     Particles particles;
     std::vector<WallState> walls;  ///< of the nodes of the walls that can move: left, right, base
     bool walls_released = false;
+    bool has_losses = false;  ///< whether the particles' losses are those of the latest steps; else they are zero
     double whole_time = 0.0, distribution_time = 0.0;  ///< in which friction follows the normal force (s)
     Balance balance;                                   ///< of the latest step
 
@@ -146,7 +152,7 @@ class MaterialPointMethod {
     static void for_each_field(Self& s, const Visit& visit) {
       visit("particles", s.particles);
       visit("walls", s.walls);
-      visit("walls_released", s.walls_released);
+      visit("walls_released", s.walls_released), visit("has_losses", s.has_losses);
       visit("whole_time", s.whole_time), visit("distribution_time", s.distribution_time);
       visit("balance", s.balance);
     }
@@ -271,6 +277,8 @@ class MaterialPointMethod {
     double volume = 0.0, distance = 0.0, square = 0.0, pressure = 0.0, product = 0.0;  // weighted by volume
     double length = 0.0;                                                               // of wall (m)
   };
+  // From grid to particles; restoring: what APIC loses of lasting motion is given back.
+  enum class Transfer { apic, restoring_apic, flip };
   // What the loop over the particles needs of a soil, worked out once.
   struct Material {
     Material(const Soil& soil, double cell_size);
@@ -309,8 +317,9 @@ class MaterialPointMethod {
   void find_pressure_force(std::span<const double> q) const;
   void find_hat_divergence(const std::vector<Eigen::Array2d>& velocity) const;
   [[nodiscard]] double from_hats(std::size_t p) const;
-  template <bool affine>
+  template <Transfer transfer>
   void gather(double dt, const StepMode& mode);
+  void forget_losses();
   void remap_velocity();
   void update_stress(double dt, std::span<const double> suction, const StepMode& mode);
   void check() const;
@@ -346,6 +355,7 @@ class MaterialPointMethod {
 
   std::vector<Node> node_;
   std::vector<Eigen::Array2d> old_velocity_, velocity_;
+  std::vector<char> beside_absorbing_wall_;  // of each grid cell: whether particles in it feel the wall's dashpots
   std::vector<Eigen::Array2d> response_;  // velocity per impulse: 1 / mass, slowed by the damping; 0 where a wall holds
   std::vector<std::array<double, 4>> velocity_gradient_;  // of each particle: dvx/dx, dvx/dy, dvy/dx, dvy/dy
   std::vector<Behind> strip_;                             // of the traction at hand

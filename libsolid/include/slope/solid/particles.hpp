@@ -14,6 +14,9 @@ struct Particles {
   std::vector<double> ux, uy;              ///< displacement since the start (m)
   std::vector<double> vx, vy;              ///< velocity (m/s)
   std::vector<double> cxx, cxy, cyx, cyy;  ///< affine velocity field dv_x/dx, dv_x/dy, dv_y/dx, dv_y/dy of APIC (1/s)
+  /// What a transfer to the grid and back takes from velocity (m/s) and affine field (1/s), averaged over the latest
+  /// steps that gave it back; see StepMode::restored_losses.
+  std::vector<double> lost_vx, lost_vy, lost_cxx, lost_cxy, lost_cyx, lost_cyy;
   std::vector<double> sxx, syy, szz, sxy;  ///< effective stress sigma' (Pa)
   std::vector<double> exx, eyy, exy;       ///< accumulated strain (-); e_zz = 0
   std::vector<double> plastic_strain;      ///< accumulated deviatoric plastic strain, sum of sqrt(2/3 de:de) (-), >= 0
@@ -31,6 +34,9 @@ struct Particles {
     visit("ux", p.ux), visit("uy", p.uy);
     visit("vx", p.vx), visit("vy", p.vy);
     visit("cxx", p.cxx), visit("cxy", p.cxy), visit("cyx", p.cyx), visit("cyy", p.cyy);
+    visit("lost_vx", p.lost_vx), visit("lost_vy", p.lost_vy);
+    visit("lost_cxx", p.lost_cxx), visit("lost_cxy", p.lost_cxy);
+    visit("lost_cyx", p.lost_cyx), visit("lost_cyy", p.lost_cyy);
     visit("sxx", p.sxx), visit("syy", p.syy), visit("szz", p.szz), visit("sxy", p.sxy);
     visit("exx", p.exx), visit("eyy", p.eyy), visit("exy", p.exy);
     visit("plastic_strain", p.plastic_strain);
@@ -38,6 +44,14 @@ struct Particles {
     visit("solid_mass", p.solid_mass);
     visit("porosity", p.porosity);
     visit("soil", p.soil);
+  }
+  /// Calls visit(array) for each array that is proportional to the velocity.
+  template <class Visit>
+  void for_each_velocity(const Visit& visit) {
+    for (auto* field :
+         {&vx, &vy, &cxx, &cxy, &cyx, &cyy, &lost_vx, &lost_vy, &lost_cxx, &lost_cxy, &lost_cyx, &lost_cyy}) {
+      visit(*field);
+    }
   }
   bool operator==(const Particles&) const = default;
 
