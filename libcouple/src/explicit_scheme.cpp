@@ -15,11 +15,12 @@ double ExplicitScheme::stable_step(const Mixture& mixture, double courant_number
     fastest = std::max(fastest, modulus * p.volume[i] / (p.solid_mass[i] + water_mass[i]));
   }
   const double wave = mixture.soil.grid().cell_size / std::sqrt(fastest);
-  return courant_number * std::min(wave, mixture.water.explicit_step(mixture.skeleton()));
+  return courant_number * std::min(wave, seepage::ExplicitStep::stable_step(mixture.water, mixture.skeleton()));
 }
 
 double ExplicitScheme::largest_clock_factor(const Mixture& mixture, double courant_number) {
-  return courant_number * mixture.water.explicit_step(mixture.skeleton()) / stable_step(mixture, courant_number);
+  return courant_number * seepage::ExplicitStep::stable_step(mixture.water, mixture.skeleton()) /
+         stable_step(mixture, courant_number);
 }
 
 seepage::SolveReport ExplicitScheme::step(Mixture& mixture, const Actions& actions, double time_step,
@@ -42,8 +43,7 @@ seepage::SolveReport ExplicitScheme::step(Mixture& mixture, const Actions& actio
       vy_[p] = soil.particles().vy[p] / clock_factor;
     }
   }
-  water.follow(mixture.skeleton());
-  water.advance_explicitly(clock_factor * time_step, mixture.skeleton(), vx_, vy_, actions.water);
+  water_step_.advance(water, clock_factor * time_step, mixture.skeleton(), vx_, vy_, actions.water);
   mixture.weigh_water();
   return {};
 }

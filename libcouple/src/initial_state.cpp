@@ -8,6 +8,8 @@
 #include <sstream>
 #include <string>
 
+#include "slope/seepage/rigid_step.hpp"
+
 namespace slope::couple {
 
 namespace {
@@ -82,8 +84,8 @@ void set_horizontal_stress(solid::Particles& p, std::span<const double> k0) {
 }
 
 // Which particle keeps the flow from being steady: the one whose pressure changed most in the latest step.
-std::string unsteady_text(const Mixture& mixture, double longest_step) {
-  const std::span<const double> change = mixture.water.latest_change(), pressure = mixture.water.pressure();
+std::string unsteady_text(const Mixture& mixture, std::span<const double> change, double longest_step) {
+  const std::span<const double> pressure = mixture.water.pressure();
   std::size_t worst = 0;
   for (std::size_t p = 0; p < change.size(); ++p) {
     if (std::abs(change[p]) > std::abs(change[worst])) worst = p;
@@ -130,12 +132,13 @@ std::vector<double> initial_pressure(const Case& input, const InitialParticles& 
 bool find_steady_flow(Mixture& mixture, BoundaryConditions& conditions, const InitialObserver& go_on) {
   Actions actions;
   conditions.apply_initial(mixture, actions);
+  seepage::RigidStep water_step;
   const double tolerance = 1.0e-3;  // Pa
   const double steady = 1.0e8;      // s
   double step = 1.0;                // s; doubled while Newton's method converges
   double change = never, longest = 0.0;
   for (int k = 0; k < 400; ++k) {
-    const auto report = mixture.water.advance(step, mixture.skeleton(), actions.water, tolerance);
+    const auto report = water_step.advance(mixture.water, step, mixture.skeleton(), actions.water, tolerance);
     if (!report.converged) {
       step *= 0.25;
     } else if (report.largest_change < tolerance && step > steady) {
@@ -147,7 +150,7 @@ bool find_steady_flow(Mixture& mixture, BoundaryConditions& conditions, const In
     }
     if (!go_on({"steady flow", change, tolerance, step})) return false;
   }
-  throw SimulationError(unsteady_text(mixture, longest));
+  throw SimulationError(unsteady_text(mixture, water_step.pressure_change(), longest));
 }
 
 std::optional<double> find_self_weight_stress(Mixture& mixture, const Actions& actions, const SlopeScale& scale,

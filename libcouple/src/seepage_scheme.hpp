@@ -4,6 +4,7 @@
 
 #include "actions.hpp"
 #include "mixture.hpp"
+#include "slope/seepage/rigid_step.hpp"
 
 namespace slope::couple {
 
@@ -30,6 +31,7 @@ class SeepageScheme {
 
   double step_ = first_step;        // the state
   std::vector<double> saturation_;  // at the start of the step
+  seepage::RigidStep water_step_;
 };
 
 }  // namespace slope::couple
