@@ -7,7 +7,7 @@ namespace slope::couple {
 
 double ExplicitScheme::stable_step(const Mixture& mixture, double courant_number) {
   const solid::Particles& p = mixture.soil.particles();
-  const std::span<const double> water_mass = mixture.water_mass();
+  const std::vector<double> water_mass = mixture.water_mass();
   double fastest = 0.0;
   for (std::size_t i = 0; i < p.size(); ++i) {
     const double modulus = mixture.soil.soils()[p.soil[i]].elastic.constrained_modulus() +
@@ -29,8 +29,7 @@ seepage::SolveReport ExplicitScheme::step(Mixture& mixture, const Actions& actio
   seepage::PoreFlow& water = mixture.water;
 
   // 1 to 5: the soil with the total stress of the step before
-  soil.predict(time_step, mixture.pore_state(), actions.tractions, 0.0, actions.body_acceleration,
-               actions.standing_water.view());
+  soil.predict(time_step, mixture.pore_state(), actions.loads(), 0.0);
   soil.advance(time_step, water.suction());
 
   // 6 to 9: the water with the soil's new positions and velocities
@@ -44,7 +43,6 @@ seepage::SolveReport ExplicitScheme::step(Mixture& mixture, const Actions& actio
     }
   }
   water_step_.advance(water, clock_factor * time_step, mixture.skeleton(), vx_, vy_, actions.water);
-  mixture.weigh_water();
   return {};
 }
 

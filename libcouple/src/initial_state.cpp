@@ -45,8 +45,7 @@ std::optional<double> find_balance(Mixture& mixture, const Actions& actions, con
       before = unbalanced;
       look *= 2.0;
     }
-    soil.predict(time_step, mixture.pore_state(), actions.tractions, damping, actions.body_acceleration,
-                 actions.standing_water.view());
+    soil.predict(time_step, mixture.pore_state(), actions.loads(), damping);
     soil.advance(time_step, mixture.water.suction(), mode);
     unbalanced = soil.balance().unbalanced_force / soil.balance().weight;
     if (t > scale.period() && unbalanced < balanced) break;
@@ -60,6 +59,7 @@ std::optional<double> find_balance(Mixture& mixture, const Actions& actions, con
 // particle itself; under standing water by the weight less the buoyancy, and the pore pressure less the water's.
 void set_overburden(Mixture& mixture, const StandingWater& standing, double gravity, double spacing) {
   solid::Particles& p = mixture.soil.particles();
+  const std::vector<double> water_mass = mixture.water_mass();
   const double left = *std::ranges::min_element(p.x);
   std::map<long, std::vector<std::size_t>> columns;
   for (std::size_t i = 0; i < p.size(); ++i) columns[std::lround((p.x[i] - left) / spacing)].push_back(i);
@@ -67,7 +67,7 @@ void set_overburden(Mixture& mixture, const StandingWater& standing, double grav
     std::ranges::sort(column, [&p](std::size_t a, std::size_t b) { return p.y[a] > p.y[b]; });
     double above = 0.0;
     for (const std::size_t i : column) {
-      double own = (p.solid_mass[i] + mixture.water_mass()[i]) * gravity / spacing;
+      double own = (p.solid_mass[i] + water_mass[i]) * gravity / spacing;
       double pressure = mixture.water.pore_stress()[i];
       if (!standing.pressure.empty()) {
         own += p.volume[i] * standing.gradient_y[i] / spacing;

@@ -41,7 +41,6 @@ seepage::SolveReport SeepageScheme::step(Mixture& mixture, const Actions& action
                                    report.iterations > easy_iterations ? 1.0 : fastest_growth);
   // a step cut short by what is due says nothing about longer ones, save that they would be as good
   step_ = growth < 1.0 ? growth * water_step : std::max(step_, growth * water_step);
-  mixture.weigh_water();
   return report;
 }
 

@@ -13,8 +13,7 @@ seepage::SolveReport SemiImplicitScheme::step(Mixture& mixture, const Actions& a
   strain_.assign(soil.particles().size(), 0.0);
 
   // Predict: the soil's motion with the old pore pressure (Eq. 17), and the volume change that it brings.
-  soil.predict(time_step, mixture.pore_state(), actions.tractions, 0.0, actions.body_acceleration,
-               actions.standing_water.view());
+  soil.predict(time_step, mixture.pore_state(), actions.loads(), 0.0);
 
   // Respond: the pressure for which flow, storage and volume change balance (Eqs. 4-7), the soil yielding to it.
   if (mixture.rigid()) {
@@ -33,7 +32,6 @@ seepage::SolveReport SemiImplicitScheme::step(Mixture& mixture, const Actions& a
   // the water (Eqs. 8-10).
   soil.advance(time_step, water.suction());
   water_step_.finish(water, mixture.skeleton());
-  mixture.weigh_water();
   return report;
 }
 

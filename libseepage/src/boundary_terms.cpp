@@ -8,7 +8,7 @@ namespace slope::seepage {
 void BoundaryTerms::find(const Boundary& boundary, const PoreFlow& flow, std::span<const double> elevation,
                          std::span<const double> head) {
   terms_.clear();
-  boundary.for_each_list([&](const auto& conditions) {
+  Boundary::for_each_list(boundary, [&](const auto& conditions) {
     for (const auto& condition : conditions) {
       const std::size_t p = condition.particle;
       assert(p < head.size() && condition.boundary < boundary.count);

@@ -30,12 +30,16 @@ struct Boundary {
   std::size_t count = 0;  ///< number of boundaries that water is counted for
 
   /// Calls visit(list) for the lists of conditions that have a law, in the order in which they add up.
-  template <class Visit>
-  void for_each_list(const Visit& visit) const {
-    visit(faces);
-    visit(inflows);
-    visit(drains);
-    visit(open_faces);
+  template <class Self, class Visit>
+  static void for_each_list(Self& s, const Visit& visit) {
+    visit(s.faces);
+    visit(s.inflows);
+    visit(s.drains);
+    visit(s.open_faces);
+  }
+  void clear() {
+    held.clear();
+    for_each_list(*this, [](auto& list) { list.clear(); });
   }
 };
 
