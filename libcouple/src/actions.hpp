@@ -22,6 +22,9 @@ struct Actions {
   std::array<double, 2> body_acceleration{0.0, 0.0};  ///< besides gravity (m/s2)
   seepage::Boundary water;
   StandingWater standing_water;
+
+  /// The part that the soil feels.
+  [[nodiscard]] solid::Loads loads() const { return {tractions, body_acceleration, standing_water.view()}; }
 };
 
 }  // namespace slope::couple

@@ -104,11 +104,7 @@ void BoundaryConditions::set_state(BoundaryState state) {
 }
 
 void BoundaryConditions::start(Actions& actions) {
-  actions.water.held.clear();
-  actions.water.faces.clear();
-  actions.water.inflows.clear();
-  actions.water.open_faces.clear();
-  actions.water.drains.clear();
+  actions.water.clear();
   actions.water.count = names_.size();
   actions.standing_water = {};
   actions.tractions.clear();

@@ -199,6 +199,18 @@ void check_overlaps(const Input& place, const std::vector<WaterBoundary>& bounda
   }
 }
 
+/// The water alone moves no soil, whatever acts on it.
+void check_loads_are_felt(const Input& root, const Case& input) {
+  if (input.scheme != Scheme::seepage) return;
+  const auto refuse = [&root](const char* key) {
+    root.at(key).problem(
+        "has no effect with \"coupling: {scheme: seepage}\", which moves the water alone; remove it, or choose the "
+        "scheme semi_implicit");
+  };
+  if (!input.tractions.empty()) refuse("loads");
+  if (input.seismic.horizontal_coefficient != 0.0 || input.seismic.vertical_coefficient != 0.0) refuse("seismic");
+}
+
 /// Standing water weighs on the soil up to where its share fades out (see StandingWaterShare): there must be room.
 void check_reservoirs(const Input& place, const Case& input) {
   if (input.scheme == Scheme::seepage) return;
@@ -464,6 +476,7 @@ void check_case(const Input& root, const Case& input) {
     if (given("stop")) check_rain_ends(water, input);
   }
   if (root.clean("loads")) check_names(root.at("loads"), input.tractions);
+  if (root.clean("coupling") && root.clean("loads") && root.clean("seismic")) check_loads_are_felt(root, input);
   if (soil_is_known) {
     const Frame frame(input);
     const Case placed = frame.place(input);

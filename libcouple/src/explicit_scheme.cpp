@@ -7,7 +7,7 @@ namespace slope::couple {
 
 double ExplicitScheme::stable_step(const Mixture& mixture, double courant_number) {
   const solid::Particles& p = mixture.soil.particles();
-  const std::span<const double> water_mass = mixture.water_mass();
+  const std::vector<double> water_mass = mixture.water_mass();
   double fastest = 0.0;
   for (std::size_t i = 0; i < p.size(); ++i) {
     const double modulus = mixture.soil.soils()[p.soil[i]].elastic.constrained_modulus() +
@@ -15,11 +15,12 @@ double ExplicitScheme::stable_step(const Mixture& mixture, double courant_number
     fastest = std::max(fastest, modulus * p.volume[i] / (p.solid_mass[i] + water_mass[i]));
   }
   const double wave = mixture.soil.grid().cell_size / std::sqrt(fastest);
-  return courant_number * std::min(wave, mixture.water.explicit_step(mixture.skeleton()));
+  return courant_number * std::min(wave, seepage::ExplicitStep::stable_step(mixture.water, mixture.skeleton()));
 }
 
 double ExplicitScheme::largest_clock_factor(const Mixture& mixture, double courant_number) {
-  return courant_number * mixture.water.explicit_step(mixture.skeleton()) / stable_step(mixture, courant_number);
+  return courant_number * seepage::ExplicitStep::stable_step(mixture.water, mixture.skeleton()) /
+         stable_step(mixture, courant_number);
 }
 
 seepage::SolveReport ExplicitScheme::step(Mixture& mixture, const Actions& actions, double time_step,
@@ -28,8 +29,7 @@ seepage::SolveReport ExplicitScheme::step(Mixture& mixture, const Actions& actio
   seepage::PoreFlow& water = mixture.water;
 
   // 1 to 5: the soil with the total stress of the step before
-  soil.predict(time_step, mixture.pore_state(), actions.tractions, 0.0, actions.body_acceleration,
-               actions.standing_water.view());
+  soil.predict(time_step, mixture.pore_state(), actions.loads(), 0.0);
   soil.advance(time_step, water.suction(), {.restored_losses = 1.0 - 1.0 / clock_factor});
 
   // 6 to 9: the water with the soil's new positions and velocities
@@ -42,9 +42,7 @@ seepage::SolveReport ExplicitScheme::step(Mixture& mixture, const Actions& actio
       vy_[p] = soil.particles().vy[p] / clock_factor;
     }
   }
-  water.follow(mixture.skeleton());
-  water.advance_explicitly(clock_factor * time_step, mixture.skeleton(), vx_, vy_, actions.water);
-  mixture.weigh_water();
+  water_step_.advance(water, clock_factor * time_step, mixture.skeleton(), vx_, vy_, actions.water);
   return {};
 }
 

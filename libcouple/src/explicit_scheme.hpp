@@ -4,6 +4,7 @@
 
 #include "actions.hpp"
 #include "mixture.hpp"
+#include "slope/seepage/explicit_step.hpp"
 
 namespace slope::couple {
 
@@ -22,6 +23,7 @@ class ExplicitScheme {
 
  private:
   std::vector<double> vx_, vy_;  // of the skeleton in the water's time (m/s)
+  seepage::ExplicitStep water_step_;
 };
 
 }  // namespace slope::couple

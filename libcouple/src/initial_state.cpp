@@ -8,6 +8,8 @@
 #include <sstream>
 #include <string>
 
+#include "slope/seepage/rigid_step.hpp"
+
 namespace slope::couple {
 
 namespace {
@@ -43,8 +45,7 @@ std::optional<double> find_balance(Mixture& mixture, const Actions& actions, con
       before = unbalanced;
       look *= 2.0;
     }
-    soil.predict(time_step, mixture.pore_state(), actions.tractions, damping, actions.body_acceleration,
-                 actions.standing_water.view());
+    soil.predict(time_step, mixture.pore_state(), actions.loads(), damping);
     soil.advance(time_step, mixture.water.suction(), mode);
     unbalanced = soil.balance().unbalanced_force / soil.balance().weight;
     if (t > scale.period() && unbalanced < balanced) break;
@@ -58,6 +59,7 @@ std::optional<double> find_balance(Mixture& mixture, const Actions& actions, con
 // particle itself; under standing water by the weight less the buoyancy, and the pore pressure less the water's.
 void set_overburden(Mixture& mixture, const StandingWater& standing, double gravity, double spacing) {
   solid::Particles& p = mixture.soil.particles();
+  const std::vector<double> water_mass = mixture.water_mass();
   const double left = *std::ranges::min_element(p.x);
   std::map<long, std::vector<std::size_t>> columns;
   for (std::size_t i = 0; i < p.size(); ++i) columns[std::lround((p.x[i] - left) / spacing)].push_back(i);
@@ -65,7 +67,7 @@ void set_overburden(Mixture& mixture, const StandingWater& standing, double grav
     std::ranges::sort(column, [&p](std::size_t a, std::size_t b) { return p.y[a] > p.y[b]; });
     double above = 0.0;
     for (const std::size_t i : column) {
-      double own = (p.solid_mass[i] + mixture.water_mass()[i]) * gravity / spacing;
+      double own = (p.solid_mass[i] + water_mass[i]) * gravity / spacing;
       double pressure = mixture.water.pore_stress()[i];
       if (!standing.pressure.empty()) {
         own += p.volume[i] * standing.gradient_y[i] / spacing;
@@ -82,8 +84,8 @@ void set_horizontal_stress(solid::Particles& p, std::span<const double> k0) {
 }
 
 // Which particle keeps the flow from being steady: the one whose pressure changed most in the latest step.
-std::string unsteady_text(const Mixture& mixture, double longest_step) {
-  const std::span<const double> change = mixture.water.latest_change(), pressure = mixture.water.pressure();
+std::string unsteady_text(const Mixture& mixture, std::span<const double> change, double longest_step) {
+  const std::span<const double> pressure = mixture.water.pressure();
   std::size_t worst = 0;
   for (std::size_t p = 0; p < change.size(); ++p) {
     if (std::abs(change[p]) > std::abs(change[worst])) worst = p;
@@ -130,12 +132,13 @@ std::vector<double> initial_pressure(const Case& input, const InitialParticles& 
 bool find_steady_flow(Mixture& mixture, BoundaryConditions& conditions, const InitialObserver& go_on) {
   Actions actions;
   conditions.apply_initial(mixture, actions);
+  seepage::RigidStep water_step;
   const double tolerance = 1.0e-3;  // Pa
   const double steady = 1.0e8;      // s
   double step = 1.0;                // s; doubled while Newton's method converges
   double change = never, longest = 0.0;
   for (int k = 0; k < 400; ++k) {
-    const auto report = mixture.water.advance(step, mixture.skeleton(), actions.water, tolerance);
+    const auto report = water_step.advance(mixture.water, step, mixture.skeleton(), actions.water, tolerance);
     if (!report.converged) {
       step *= 0.25;
     } else if (report.largest_change < tolerance && step > steady) {
@@ -147,7 +150,7 @@ bool find_steady_flow(Mixture& mixture, BoundaryConditions& conditions, const In
     }
     if (!go_on({"steady flow", change, tolerance, step})) return false;
   }
-  throw SimulationError(unsteady_text(mixture, longest));
+  throw SimulationError(unsteady_text(mixture, water_step.pressure_change(), longest));
 }
 
 std::optional<double> find_self_weight_stress(Mixture& mixture, const Actions& actions, const SlopeScale& scale,

@@ -78,13 +78,11 @@ Mixture::Mixture(const Case& input, const InitialParticles& particles, std::span
     : soil(make_soil(input, particles, threads)),
       water(make_water(input, particles, pressure, view(soil.particles()), threads)),
       rigid_(input.skeleton == Skeleton::rigid),
-      saturated_density_(input.mixture_density == MixtureDensity::saturated),
-      water_mass_(particles.x.size()) {
+      saturated_density_(input.mixture_density == MixtureDensity::saturated) {
   if (rigid_) {
     state_.first_volume = soil.particles().volume;
     state_.first_porosity = soil.particles().porosity;
   }
-  weigh_water();
 }
 
 seepage::Skeleton Mixture::skeleton() const {
@@ -96,9 +94,15 @@ seepage::Skeleton Mixture::skeleton() const {
   return skeleton;
 }
 
-void Mixture::set_state(MixtureState state) {
-  state_ = std::move(state);
-  weigh_water();
+solid::PoreState Mixture::pore_state() {
+  weigh_water(water_mass_);
+  return {water.pore_stress(), water_mass_};
+}
+
+std::vector<double> Mixture::water_mass() const {
+  std::vector<double> mass;
+  weigh_water(mass);
+  return mass;
 }
 
 void Mixture::slow_down(double factor) {
@@ -107,12 +111,13 @@ void Mixture::slow_down(double factor) {
   });
 }
 
-void Mixture::weigh_water() {
+void Mixture::weigh_water(std::vector<double>& mass) const {
   const solid::Particles& p = soil.particles();
   const std::span<const double> saturation = water.saturation();
   const double density = water.water().density;
-  for (std::size_t i = 0; i < water_mass_.size(); ++i) {
-    water_mass_[i] = density * p.porosity[i] * (saturated_density_ ? 1.0 : saturation[i]) * p.volume[i];
+  mass.resize(p.size());
+  for (std::size_t i = 0; i < mass.size(); ++i) {
+    mass[i] = density * p.porosity[i] * (saturated_density_ ? 1.0 : saturation[i]) * p.volume[i];
   }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "slope/couple/case.hpp"
@@ -25,24 +26,25 @@ class Mixture {
 
   /// What the water sees of the soil. A rigid skeleton keeps its first volumes and porosities.
   [[nodiscard]] seepage::Skeleton skeleton() const;
-  /// What the soil sees of the water.
-  [[nodiscard]] solid::PoreState pore_state() const { return {water.pore_stress(), water_mass_}; }
-  [[nodiscard]] std::span<const double> water_mass() const { return water_mass_; }
-  /// Works the mass of the water anew from porosity, saturation and volume.
-  void weigh_water();
+  /// What the soil sees of the water as it is now; the view holds until the next call.
+  [[nodiscard]] solid::PoreState pore_state();
+  /// Mass of the water that moves with the soil (kg/m), one per particle, from porosity, saturation and volume as they
+  /// are now.
+  [[nodiscard]] std::vector<double> water_mass() const;
   /// Multiplies the soil's velocities by a factor in (0, 1].
   void slow_down(double factor);
   [[nodiscard]] bool rigid() const { return rigid_; }
   /// That of the mixture itself; the solvers have theirs.
   [[nodiscard]] const MixtureState& state() const { return state_; }
-  /// Call when both solvers have theirs.
-  void set_state(MixtureState state);
+  void set_state(MixtureState state) { state_ = std::move(state); }
 
  private:
+  void weigh_water(std::vector<double>& mass) const;
+
   bool rigid_;
   bool saturated_density_;
   MixtureState state_;
-  std::vector<double> water_mass_;
+  std::vector<double> water_mass_;  // what pore_state() shows
 };
 
 }  // namespace slope::couple

@@ -26,7 +26,8 @@ seepage::SolveReport SeepageScheme::step(Mixture& mixture, const Actions& action
   const double water_step = clock_factor * time_step;
   const std::span<const double> saturation = mixture.water.saturation();
   saturation_.assign(saturation.begin(), saturation.end());
-  const auto report = mixture.water.advance(water_step, mixture.skeleton(), actions.water, pressure_tolerance);
+  const auto report =
+      water_step_.advance(mixture.water, water_step, mixture.skeleton(), actions.water, pressure_tolerance);
   if (!report.converged) {
     step_ = 0.25 * water_step;
     if (step_ < shortest_step) throw SimulationError("the pore water's equations have no solution for any step");
@@ -40,7 +41,6 @@ seepage::SolveReport SeepageScheme::step(Mixture& mixture, const Actions& action
                                    report.iterations > easy_iterations ? 1.0 : fastest_growth);
   // a step cut short by what is due says nothing about longer ones, save that they would be as good
   step_ = growth < 1.0 ? growth * water_step : std::max(step_, growth * water_step);
-  mixture.weigh_water();
   return report;
 }
 

@@ -4,6 +4,7 @@
 
 #include "actions.hpp"
 #include "mixture.hpp"
+#include "slope/seepage/rigid_step.hpp"
 
 namespace slope::couple {
 
@@ -11,9 +12,6 @@ namespace slope::couple {
 /// method allow.
 class SeepageScheme {
  public:
-  /// Not of the soil: where the search for a step begins (s).
-  [[nodiscard]] static double stable_step(const Mixture&, double /*courant_number*/) { return first_step; }
-
   /// The length of the next step, one of equal ones from `time` to `next` (s).
   [[nodiscard]] double pace(double time, double next) const;
 
@@ -26,10 +24,9 @@ class SeepageScheme {
   seepage::SolveReport step(Mixture& mixture, const Actions& actions, double time_step, double clock_factor);
 
  private:
-  static constexpr double first_step = 1.0;
-
-  double step_ = first_step;        // the state
+  double step_ = 1.0;               // the state; where the search begins
   std::vector<double> saturation_;  // at the start of the step
+  seepage::RigidStep water_step_;
 };
 
 }  // namespace slope::couple

@@ -4,6 +4,7 @@
 
 #include "actions.hpp"
 #include "mixture.hpp"
+#include "slope/seepage/coupled_step.hpp"
 
 namespace slope::couple {
 
@@ -24,6 +25,7 @@ class SemiImplicitScheme {
  private:
   double pressure_tolerance_;
   std::vector<double> strain_;
+  seepage::CoupledStep water_step_;
 };
 
 }  // namespace slope::couple

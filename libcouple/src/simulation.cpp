@@ -46,9 +46,10 @@ SlopeScale scale_of(const Case& input, const InitialParticles& particles, const 
   scale.height = high - low + particles.spacing;
   scale.wave_speed = input.domain.cell_size / mixture.soil.stable_step(1.0, mixture.water_mass());
   scale.gravity = input.gravity;
+  const std::vector<double> water_mass = mixture.water_mass();
   double mass = 0.0, volume = 0.0;
   for (std::size_t p = 0; p < particles.x.size(); ++p) {
-    mass += mixture.soil.particles().solid_mass[p] + mixture.water_mass()[p];
+    mass += mixture.soil.particles().solid_mass[p] + water_mass[p];
     volume += particles.volume[p];
   }
   scale.overburden = mass / volume * input.gravity * scale.height;
@@ -86,7 +87,7 @@ struct Simulation::Run {
         runaway(input.onset_displacement, at_once * scale.period()),
         rest(std::sqrt(scale.height / scale.gravity)),
         snapshot_times(input.output.snapshots) {
-    now.time_step = stable_step(scheme, mixture, input.numerics.courant_number);
+    now.time_step = longest_step(scheme, mixture, input.numerics.courant_number);
     now.first_storage = mixture.water.stored_water();
     now.result.end_reason = running;
     now.result.onset_criterion = input.onset_displacement;
@@ -116,7 +117,8 @@ struct Simulation::Run {
   void go_back();
   void step_or_try_again();
   [[nodiscard]] bool finished() const { return now.result.end_reason != running; }
-  seepage::SolveReport step_mixture(double next, double longest);
+  template <class Coupled>
+  seepage::SolveReport step_mixture(Coupled& coupled, double next, double longest);
   seepage::SolveReport step_water(SeepageScheme& seepage, double next, double share);
   [[nodiscard]] WaterBudget water_budget() const;
   void observe_water();
@@ -185,7 +187,6 @@ Simulation::Run::Due Simulation::Run::take_due() {
 }
 
 SimulationState Simulation::Run::state() const {
-  const auto* seepage = std::get_if<SeepageScheme>(&scheme);
   return {.mirrored = frame.is_mirrored(),
           .soil = mixture.soil.state(),
           .water = mixture.water.state(),
@@ -193,7 +194,7 @@ SimulationState Simulation::Run::state() const {
           .mixture = mixture.state(),
           .boundary = conditions.state(),
           .clock = clock.state(),
-          .water_step = seepage != nullptr ? seepage->state() : 0.0,
+          .water_step = water_step(scheme),
           .runaway = runaway.state(),
           .rest = rest.state(),
           .progress = now};
@@ -208,7 +209,7 @@ void Simulation::Run::check(const SimulationState& state) const {
   if (other != n) refuse("it has " + std::to_string(other) + " particles instead of " + std::to_string(n));
   if (state.soil.particles.soil != mixture.soil.particles().soil) refuse("its soils lie elsewhere");
   if (state.mixture.first_volume.empty() == mixture.rigid()) refuse("one skeleton is rigid, the other is not");
-  if ((state.water_step > 0.0) != std::holds_alternative<SeepageScheme>(scheme)) refuse("its scheme is another");
+  if ((state.water_step > 0.0) != (water_step(scheme) > 0.0)) refuse("its scheme is another");
   for (const auto* field : {&state.mixture.first_volume, &state.mixture.first_porosity, &state.boundary.first_pressure,
                             &state.boundary.free_surface.x, &state.clock.pressure, &state.rest.ux, &state.rest.uy}) {
     if (!field->empty() && field->size() != n) refuse("a field has not one entry for each particle");
@@ -229,7 +230,7 @@ void Simulation::Run::set_state(SimulationState state) {
     throw InputError({{input.path, 0, "", std::string("the state is of another case: ") + error.what()}});
   }
   clock.set_state(std::move(state.clock));
-  if (auto* seepage = std::get_if<SeepageScheme>(&scheme)) seepage->set_state(state.water_step);
+  set_water_step(scheme, state.water_step);
   runaway.set_state(std::move(state.runaway));
   rest.set_state(std::move(state.rest));
   now = std::move(state.progress);
@@ -291,9 +292,10 @@ void Simulation::Run::step_or_try_again() {
 // A step of a share of its length.
 void Simulation::Run::step(double share) {
   const double next = next_stop();
-  auto* seepage = std::get_if<SeepageScheme>(&scheme);
   const auto report =
-      seepage != nullptr ? step_water(*seepage, next, share) : step_mixture(next, share * now.time_step);
+      std::visit(BySchemes{[&](SeepageScheme& water_alone) { return step_water(water_alone, next, share); },
+                           [&](auto& coupled) { return step_mixture(coupled, next, share * now.time_step); }},
+                 scheme);
   ++now.steps;
   now.pressure_iterations += static_cast<std::size_t>(report.iterations);
   if (!report.converged) ++now.result.unsettled_steps;
@@ -302,7 +304,8 @@ void Simulation::Run::step(double share) {
   check_end();
 }
 
-seepage::SolveReport Simulation::Run::step_mixture(double next, double longest) {
+template <class Coupled>
+seepage::SolveReport Simulation::Run::step_mixture(Coupled& coupled, double next, double longest) {
   const ClockControl::Pace pace = clock.pace(now.time, next, longest, conditions.prescribed_rate(now.time));
   now.clock_factor = pace.factor;
   if (pace.velocity_scale < 1.0) mixture.slow_down(pace.velocity_scale);
@@ -310,8 +313,7 @@ seepage::SolveReport Simulation::Run::step_mixture(double next, double longest) 
   // the last step up to what is due ends there to the last digit
   const double after = now.time + (1.0 + sliver) * water_step > next ? next : now.time + water_step;
   conditions.apply(after, mixture, actions);
-  const auto report =
-      std::visit([&](auto& s) { return s.step(mixture, actions, pace.time_step, pace.factor); }, scheme);
+  const auto report = coupled.step(mixture, actions, pace.time_step, pace.factor);
   now.time = after;
   now.latest_step = water_step;
   const solid::Balance& balance = mixture.soil.balance();
@@ -452,7 +454,6 @@ bool Simulation::Run::find_initial_state(const InitialObserver& go_on) {
   Run& s = *this;
   const bool is_steady = std::holds_alternative<SteadyWater>(s.input.initial_water);
   if (is_steady && !find_steady_flow(s.mixture, s.conditions, go_on)) return false;
-  s.mixture.weigh_water();
   s.conditions.remember_pressures(s.mixture.water.pressure());
   Actions before;
   s.conditions.apply_initial(s.mixture, before);

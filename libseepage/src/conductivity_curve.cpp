@@ -31,10 +31,15 @@ double wet_until(const Soil& soil) {
   return wet;
 }
 
+const Soil& checked(const Soil& soil) {
+  soil.check();
+  return soil;
+}
+
 }  // namespace
 
 ConductivityCurve::ConductivityCurve(const Soil& soil)
-    : saturated_(soil.hydraulic_conductivity * share_at(soil, 0.0)),
+    : saturated_(checked(soil).hydraulic_conductivity * share_at(soil, 0.0)),
       wet_(wet_until(soil)),
       first_(std::max(wet_ * (1.0 + 1.0e-9), smallest)),
       first_log_(std::log(first_)) {

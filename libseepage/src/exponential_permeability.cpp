@@ -2,7 +2,13 @@
 
 #include <cmath>
 
+#include "require.hpp"
+
 namespace slope::seepage {
+
+void ExponentialPermeability::check() const {
+  require_above(0.0, "alpha", alpha);
+}
 
 double ExponentialPermeability::evaluate(double suction_head, double /*saturation*/) const {
   return suction_head <= 0.0 ? 1.0 : std::exp(-alpha * suction_head);

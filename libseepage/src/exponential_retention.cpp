@@ -2,7 +2,14 @@
 
 #include <cmath>
 
+#include "require.hpp"
+
 namespace slope::seepage {
+
+void ExponentialRetention::check() const {
+  require_above(0.0, "alpha", alpha);
+  range.check();
+}
 
 Saturation ExponentialRetention::evaluate(double suction_head) const {
   if (suction_head <= 0.0) return {range.maximum, 0.0};

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "moved_beyond.hpp"
+#include "require.hpp"
 #include "slope/seepage/neighbours.hpp"
 
 namespace slope::seepage {
@@ -54,6 +55,11 @@ std::array<double, 3> with_images(double at, double low_wall, double high_wall) 
 }
 
 }  // namespace
+
+FreeSurface::FreeSurface(double spacing, const MirrorWalls& walls) : spacing_(spacing), walls_(walls) {
+  require_above(0.0, "spacing", spacing);
+  walls.check();
+}
 
 bool FreeSurface::update(const Skeleton& skeleton) {
   if (state_.x.size() == skeleton.size() && !moved_beyond(follow_distance * spacing_, skeleton, state_.x, state_.y)) {

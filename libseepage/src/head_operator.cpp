@@ -1,11 +1,13 @@
 #include "slope/seepage/head_operator.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <stdexcept>
 
 #include "moment_correction.hpp"
 #include "moved_beyond.hpp"
+#include "require.hpp"
 
 namespace slope::seepage {
 
@@ -16,10 +18,18 @@ constexpr double follow_distance = 0.01;
 // Distance of a particle from a seam at least, over the spacing; half of it in a lattice.
 constexpr double least_distance = 0.25;
 
+double checked(double spacing, double smoothing_ratio, const MirrorWalls& walls, int threads) {
+  require_above(0.0, "spacing", spacing);
+  require_above(0.0, "smoothing_ratio", smoothing_ratio);
+  require(threads >= 1, "threads", "at least 1", threads);
+  walls.check();
+  return spacing;
+}
+
 }  // namespace
 
 HeadOperator::HeadOperator(double spacing, double smoothing_ratio, const MirrorWalls& walls, int threads)
-    : spacing_(spacing),
+    : spacing_(checked(spacing, smoothing_ratio, walls, threads)),
       kernel_(smoothing_ratio * spacing),
       walls_(walls),
       threads_(threads),
@@ -32,6 +42,7 @@ void HeadOperator::set_soils(std::span<const std::uint16_t> soil, std::vector<Co
 
 bool HeadOperator::update(const Skeleton& skeleton) {
   const std::size_t n = skeleton.size();
+  assert(skeleton.y.size() == n && skeleton.volume.size() == n && (soil_.empty() || soil_.size() == n));
   if (state_.x.size() == n && !moved_beyond(follow_distance * spacing_, skeleton, state_.x, state_.y)) {
     return false;
   }

@@ -2,7 +2,13 @@
 
 #include <cmath>
 
+#include "require.hpp"
+
 namespace slope::seepage {
+
+void HillelPower::check() const {
+  require_above(0.0, "exponent", exponent);
+}
 
 double HillelPower::evaluate(double /*suction_head*/, double saturation) const {
   return exponent == 2.0 ? saturation * saturation : std::pow(saturation, exponent);

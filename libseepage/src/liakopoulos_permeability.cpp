@@ -2,7 +2,14 @@
 
 #include <cmath>
 
+#include "require.hpp"
+
 namespace slope::seepage {
+
+void LiakopoulosPermeability::check() const {
+  require_above(0.0, "coefficient", coefficient);
+  require_above(0.0, "exponent", exponent);
+}
 
 double LiakopoulosPermeability::evaluate(double /*suction_head*/, double saturation) const {
   const double dryness = 1.0 - saturation;

@@ -2,7 +2,15 @@
 
 #include <cmath>
 
+#include "require.hpp"
+
 namespace slope::seepage {
+
+void LiakopoulosRetention::check() const {
+  require_above(0.0, "coefficient", coefficient);
+  require_above(1.0, "exponent", exponent);
+  require(floor >= 0.0 && floor < 1.0, "floor", "at least 0 and below 1", floor);
+}
 
 Saturation LiakopoulosRetention::evaluate(double suction_head) const {
   if (suction_head <= 0.0) return {1.0, 0.0};

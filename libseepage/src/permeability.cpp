@@ -2,7 +2,14 @@
 
 #include <algorithm>
 
+#include "require.hpp"
+
 namespace slope::seepage {
+
+void RelativePermeability::check() const {
+  std::visit([](const auto& l) { l.check(); }, law);
+  require(floor > 0.0 && floor < 1.0, "floor", "above 0 and below 1", floor);
+}
 
 double RelativePermeability::evaluate(double suction_head, double saturation) const {
   const double value = std::visit([&](const auto& l) { return l.evaluate(suction_head, saturation); }, law);

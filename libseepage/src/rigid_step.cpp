@@ -1,10 +1,9 @@
-// Implicit steps of pore water in a skeleton that does not move: Newton's method on an assembled matrix.
+#include "slope/seepage/rigid_step.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
-
-#include "slope/seepage/pore_flow.hpp"
 
 namespace slope::seepage {
 
@@ -16,45 +15,56 @@ constexpr int lagged_iterations = 3;
 constexpr double least_share = 1.0 / 64.0;  // of a step of Newton's method that makes the imbalance larger
 // With lagged permeability small steps may be far from the end: they must fall so fast, or be nothing.
 constexpr double lagged_reduction = 0.25;
-constexpr double nothing = 1.0e-3;  // over the tolerance
+constexpr double nothing = 1.0e-3;      // over the tolerance
+constexpr double begun_to_fall = 0.97;  // share of the saturated conductivity
+constexpr double least_onset = 1.0e-5;  // suction head of that (m)
+
+// Where a step of the pressure goes that starts from one: drying soil stops where its conductivity begins to fall. For
+// n < 2 that fall begins with an infinite slope, of which saturated soil knows nothing: from there Newton's method is
+// thrown far beyond its aim and back, while from just inside it comes up to it.
+double stepped(double pressure, double step, double onset) {
+  return pressure > onset ? std::max(pressure + step, onset) : pressure + step;
+}
 
 }  // namespace
 
-// assembled_.matrix = storage + t L / gamma_w, and unless the permeability is lagged what changes with it, with the
-// rows and columns of held particles taken out. The pattern is that of the neighbours, filled in place while they stay
-// the same.
-void PoreFlow::assemble(double time_step, bool lagged) {
-  const double flow_scale = time_step / water_.unit_weight();
-  const Neighbours& neighbours = operator_.neighbours();
-  const std::size_t n = state_.pressure.size();
-  if (!assembled_.pattern_known) {
-    assembled_.matrix.resize(static_cast<Eigen::Index>(n), static_cast<Eigen::Index>(n));
-    assembled_.matrix.resizeNonZeros(static_cast<Eigen::Index>(n + neighbours.index.size()));
-    auto* outer = assembled_.matrix.outerIndexPtr();
-    auto* inner = assembled_.matrix.innerIndexPtr();
-    std::size_t k = 0;
-    for (std::size_t p = 0; p < n; ++p) {
-      outer[p] = static_cast<int>(k);
-      bool placed = false;
-      for (const std::uint32_t q : neighbours.of(p)) {
-        if (!placed && q > p) {
-          inner[k++] = static_cast<int>(p);
-          placed = true;
-        }
-        inner[k++] = static_cast<int>(q);
+// The pattern of the matrix is that of the neighbours, with the diagonal.
+void RigidStep::find_pattern(const Neighbours& neighbours) {
+  const std::size_t n = neighbours.size();
+  assembled_.matrix.resize(static_cast<Eigen::Index>(n), static_cast<Eigen::Index>(n));
+  assembled_.matrix.resizeNonZeros(static_cast<Eigen::Index>(n + neighbours.index.size()));
+  auto* outer = assembled_.matrix.outerIndexPtr();
+  auto* inner = assembled_.matrix.innerIndexPtr();
+  std::size_t k = 0;
+  for (std::size_t p = 0; p < n; ++p) {
+    outer[p] = static_cast<int>(k);
+    bool placed = false;
+    for (const std::uint32_t q : neighbours.of(p)) {
+      if (!placed && q > p) {
+        inner[k++] = static_cast<int>(p);
+        placed = true;
       }
-      if (!placed) inner[k++] = static_cast<int>(p);
+      inner[k++] = static_cast<int>(q);
     }
-    outer[n] = static_cast<int>(k);
+    if (!placed) inner[k++] = static_cast<int>(p);
   }
-  const std::span<const double> conductance = operator_.conductance();
+  outer[n] = static_cast<int>(k);
+  assembled_.neighbours = neighbours;
+}
+
+// The matrix is storage + t L / gamma_w, and unless the permeability is lagged what changes with it, with the rows and
+// columns of held particles taken out.
+void RigidStep::assemble(const PoreFlow& flow, bool lagged) {
+  const HeadOperator& operator_of_head = flow.head_operator();
+  const Neighbours& neighbours = operator_of_head.neighbours();
+  const std::span<const double> conductance = operator_of_head.conductance();
   double* value = assembled_.matrix.valuePtr();
   const auto* inner = assembled_.matrix.innerIndexPtr();
   std::size_t k = 0, s = 0;
-  for (std::size_t p = 0; p < n; ++p) {
-    const double slope = lagged || is_held_[p] != 0 ? 0.0 : conductivity_slope(p);
+  for (std::size_t p = 0; p < flow.size(); ++p) {
+    const double slope = lagged || is_held_[p] != 0 ? 0.0 : flow.conductivity_slope(p);
     const std::size_t end = k + neighbours.of(p).size() + 1;
-    double own = storage_[p] + flow_scale * operator_.diagonal()[p];
+    double own = stiffness_[p] + flow_scale_ * operator_of_head.diagonal()[p];
     double* diagonal = nullptr;
     for (; k < end; ++k) {
       const auto q = static_cast<std::size_t>(inner[k]);
@@ -63,83 +73,69 @@ void PoreFlow::assemble(double time_step, bool lagged) {
         continue;
       }
       // what p's pressure changes in the flow from p to q
-      const double more = lagged ? 0.0 : flow_scale * operator_.flow_slope(p, s, slope, head_[p] - head_[q]);
-      value[k] = is_held_[p] != 0 || is_held_[q] != 0 ? 0.0 : -flow_scale * conductance[s] - more;
+      const double more = lagged ? 0.0 : flow_scale_ * operator_of_head.flow_slope(p, s, slope, head_[p] - head_[q]);
+      value[k] = is_held_[p] != 0 || is_held_[q] != 0 ? 0.0 : -flow_scale_ * conductance[s] - more;
       own += more;
       ++s;
     }
     *diagonal = own;
   }
-  assembled_.pattern_known = true;
 }
 
-// The water that each particle lacks at the present pressure, right_side_ (m2), and storage_ of the step's equations
-// with the conductances of the faces; of the norm, what may be rounding of the flows, rounding_ (m2). @return the norm
-// of what is lacking.
-double PoreFlow::find_imbalance(double time_step, const Skeleton& skeleton, const Boundary& boundary) {
-  const double flow_scale = time_step / water_.unit_weight();
-  find_head(skeleton);
-  operator_.set_conductivity(conductivity_, pressure_head_, potential_);
-  operator_.apply(head_, outflow_);
-  for (std::size_t p = 0; p < state_.pressure.size(); ++p) {
-    storage_[p] =
-        skeleton.volume[p] * skeleton.porosity[p] *
-        (saturation_[p] / water_.bulk_modulus + capacity_[p] * (1.0 + state_.pressure[p] / water_.bulk_modulus));
-    right_side_[p] = state_.content[p] + state_.defect[p] - water_of(p, skeleton) - time_step * outflow_[p];
+// The water that each particle lacks at the present pressure, and the stiffness of the step's equations.
+RigidStep::Imbalance RigidStep::find_imbalance(PoreFlow& flow, const Skeleton& skeleton, const Boundary& boundary) {
+  const std::size_t n = flow.size();
+  const std::span<const double> pressure = flow.pressure(), pressure_head = flow.pressure_head();
+  const std::span<const double> saturation = flow.saturation(), capacity = flow.capacity();
+  const PoreFlow::State& state = flow.state();
+  const double bulk_modulus = flow.water().bulk_modulus;
+  for (std::size_t p = 0; p < n; ++p) head_[p] = pressure_head[p] + skeleton.y[p];
+  flow.find_conductances();
+  flow.head_operator().apply(head_, flow_.outflow);
+  for (std::size_t p = 0; p < n; ++p) {
+    stiffness_[p] = skeleton.volume[p] * skeleton.porosity[p] *
+                    (saturation[p] / bulk_modulus + capacity[p] * (1.0 + pressure[p] / bulk_modulus));
+    lacking_[p] = state.content[p] + state.defect[p] - flow.water_of(p, skeleton) - time_step_ * flow_.outflow[p];
   }
-  for (const FacePressure& face : boundary.faces) {
-    storage_[face.particle] += flow_scale * face_law(face).conductance;
-    right_side_[face.particle] += time_step * face_inflow(face, head_[face.particle]);
+  boundary_.find(boundary, flow, skeleton.y, head_);
+  for (const BoundaryTerm& term : boundary_.terms()) {
+    stiffness_[term.particle] += flow_scale_ * term.stiffness();
+    lacking_[term.particle] += time_step_ * term.inflow(head_[term.particle]);
   }
-  for (const Inflow& inflow : boundary.inflows) right_side_[inflow.particle] += time_step * inflow.rate;
-  find_drain_laws(boundary);
-  for (std::size_t k = 0; k < drain_laws_.size(); ++k) {
-    storage_[boundary.drains[k].particle] += flow_scale * drain_laws_[k].slope;
-    right_side_[boundary.drains[k].particle] -= time_step * drain_laws_[k].rate;
-  }
-  find_open_face_laws(boundary);
-  for (std::size_t k = 0; k < open_laws_.size(); ++k) {
-    const std::size_t p = boundary.open_faces[k].particle;
-    storage_[p] += flow_scale * open_laws_[k].conductance(open_parts_[k]);
-    right_side_[p] += time_step * open_laws_[k].inflow(open_parts_[k], head_[p]);
-  }
+  const std::span<const double> flow_diagonal = flow.head_operator().diagonal();
   double sum = 0.0, flows = 0.0;
-  for (std::size_t p = 0; p < state_.pressure.size(); ++p) {
-    sum += is_held_[p] != 0 ? 0.0 : right_side_[p] * right_side_[p];
-    const double flow = time_step * operator_.diagonal()[p] * head_[p];
-    flows += flow * flow;
+  for (std::size_t p = 0; p < n; ++p) {
+    sum += is_held_[p] != 0 ? 0.0 : lacking_[p] * lacking_[p];
+    const double passing = time_step_ * flow_diagonal[p] * head_[p];
+    flows += passing * passing;
   }
-  rounding_ = std::numeric_limits<double>::epsilon() * std::sqrt(flows);
-  return std::sqrt(sum);
+  return {std::sqrt(sum), std::numeric_limits<double>::epsilon() * std::sqrt(flows)};
 }
 
-// Adds to storage_ what the pressure of their particles changes in the conductances of faces.
-void PoreFlow::add_face_slopes(double time_step, const Boundary& boundary) {
-  const double flow_scale = time_step / water_.unit_weight();
-  const auto add = [&](const FacePressure& face) {
-    const FaceLaw law = face_law(face);
-    storage_[face.particle] -= flow_scale * (law.slope + law.conductance);
-  };
-  for (const FacePressure& face : boundary.faces) add(face);
-  for (std::size_t k = 0; k < open_laws_.size(); ++k) {
-    const OpenFace& face = boundary.open_faces[k];
-    if (open_parts_[k] == OpenFaceLaw::Part::wet) add(held_at(face, face.ponding_pressure));
-    if (open_parts_[k] == OpenFaceLaw::Part::dry) add(held_at(face, face.lowest_pressure));
+// Goes a share of the step from a pressure.
+RigidStep::Imbalance RigidStep::go_to(PoreFlow& flow, const std::vector<double>& pressure, double share,
+                                      const Skeleton& skeleton, const Boundary& boundary) {
+  for (std::size_t p = 0; p < pressure.size(); ++p) {
+    pressure_[p] = stepped(pressure[p], share * step_[p], drying_onset_[p]);
   }
+  flow.set_pressure(pressure_);
+  return find_imbalance(flow, skeleton, boundary);
 }
 
-// Solves for the pressures' next step, work_ (Pa). @return whether there is one.
-bool PoreFlow::find_pressure_step(double time_step, const Boundary& boundary, bool lagged) {
-  if (!lagged) add_face_slopes(time_step, boundary);
-  Eigen::VectorXd b(static_cast<Eigen::Index>(state_.pressure.size()));
-  for (std::size_t p = 0; p < state_.pressure.size(); ++p) {
-    b[static_cast<Eigen::Index>(p)] = is_held_[p] != 0 ? 0.0 : right_side_[p];
+// Solves for the pressures' next step. @return whether there is one.
+bool RigidStep::find_pressure_step(const PoreFlow& flow, bool lagged) {
+  if (!lagged) {
+    for (const BoundaryTerm& term : boundary_.terms()) {
+      stiffness_[term.particle] -= flow_scale_ * term.conductance_slope();
+    }
   }
-  const bool new_pattern = !assembled_.pattern_known;
-  assemble(time_step, lagged);
+  Eigen::VectorXd b(static_cast<Eigen::Index>(flow.size()));
+  for (std::size_t p = 0; p < flow.size(); ++p) {
+    b[static_cast<Eigen::Index>(p)] = is_held_[p] != 0 ? 0.0 : lacking_[p];
+  }
+  assemble(flow, lagged);
   Eigen::VectorXd solution;
   if (lagged) {
-    if (new_pattern) assembled_.lagged_factorisation.analyzePattern(assembled_.matrix);
     assembled_.lagged_factorisation.factorize(assembled_.matrix);
     if (assembled_.lagged_factorisation.info() != Eigen::Success) return false;
     solution = assembled_.lagged_factorisation.solve(b);
@@ -150,76 +146,85 @@ bool PoreFlow::find_pressure_step(double time_step, const Boundary& boundary, bo
     if (assembled_.factorisation.info() != Eigen::Success) return false;
     solution = assembled_.factorisation.solve(b);
   }
-  std::copy(solution.begin(), solution.end(), work_.begin());
+  std::copy(solution.begin(), solution.end(), step_.begin());
   return solution.allFinite();
 }
 
-// Where a step of the pressure goes that starts from one: drying soil stops where its conductivity begins to fall. For
-// n < 2 that fall begins with an infinite slope, of which saturated soil knows nothing: from there Newton's method is
-// thrown far beyond its aim and back, while from just inside it comes up to it.
-double PoreFlow::stepped(std::size_t p, double pressure, double step) const {
-  const double onset = drying_onset_[soil_[p]];
-  return pressure > onset ? std::max(pressure + step, onset) : pressure + step;
+void RigidStep::find_drying_onsets(const PoreFlow& flow) {
+  std::vector<double> of_soil;
+  for (const ConductivityCurve& curve : flow.head_operator().curves()) {
+    of_soil.push_back(-std::max(curve.suction_head_at(begun_to_fall), least_onset) * flow.water().unit_weight());
+  }
+  for (std::size_t p = 0; p < flow.size(); ++p) drying_onset_[p] = of_soil[flow.soil_index(p)];
 }
 
-SolveReport PoreFlow::advance(double time_step, const Skeleton& skeleton, const Boundary& boundary,
-                              double tolerance_pressure, int maximum_iterations) {
-  const std::size_t n = state_.pressure.size();
-  follow(skeleton);
-  const std::vector<double> start = state_.pressure;
-  std::fill(is_held_.begin(), is_held_.end(), std::uint8_t{0});
+SolveReport RigidStep::advance(PoreFlow& flow, double time_step, const Skeleton& skeleton, const Boundary& boundary,
+                               double tolerance_pressure, int maximum_iterations) {
+  const std::size_t n = flow.size();
+  assert(time_step > 0.0 && skeleton.size() == n);
+  time_step_ = time_step;
+  flow_scale_ = time_step / flow.water().unit_weight();
+  for (auto* field : {&drying_onset_, &head_, &stiffness_, &lacking_, &step_, &pressure_, &flow_.outflow}) {
+    field->resize(n);
+  }
+  find_drying_onsets(flow);
+  flow.follow(skeleton);
+  if (!(assembled_.neighbours == flow.head_operator().neighbours())) {
+    find_pattern(flow.head_operator().neighbours());
+    assembled_.lagged_factorisation.analyzePattern(assembled_.matrix);
+    assembled_.ordering_known = false;
+  }
+  const std::vector<double> start(flow.pressure().begin(), flow.pressure().end());
+  std::vector<double> here = start;
+  is_held_.assign(n, 0);
   for (const HeldPressure& held : boundary.held) {
     is_held_[held.particle] = 1;
-    state_.pressure[held.particle] = held.pressure;
+    here[held.particle] = held.pressure;
   }
-  evaluate_soil();
-  const auto go_to = [&](const std::vector<double>& pressure, double share) {
-    for (std::size_t p = 0; p < n; ++p) state_.pressure[p] = stepped(p, pressure[p], share * work_[p]);
-    evaluate_soil();
-    return find_imbalance(time_step, skeleton, boundary);
-  };
+  flow.set_pressure(here);
 
   SolveReport report;
   report.converged = false;
-  double imbalance = find_imbalance(time_step, skeleton, boundary);
-  std::vector<double> here = state_.pressure, best = state_.pressure;
-  double least_imbalance = imbalance, last_step = 0.0;  // (m2, Pa)
+  Imbalance imbalance = find_imbalance(flow, skeleton, boundary);
+  std::vector<double> best = here;
+  double least_imbalance = imbalance.norm, last_step = 0.0;  // (m2, Pa)
   while (!report.converged && report.iterations < maximum_iterations) {
     const bool lagged = report.iterations < lagged_iterations;
-    if (report.iterations == lagged_iterations && imbalance > least_imbalance) imbalance = go_to(best, 0.0);
-    if (!find_pressure_step(time_step, boundary, lagged)) break;
+    if (report.iterations == lagged_iterations && imbalance.norm > least_imbalance) {
+      imbalance = go_to(flow, best, 0.0, skeleton, boundary);
+    }
+    if (!find_pressure_step(flow, lagged)) break;
     ++report.iterations;
     double largest = 0.0;
-    for (std::size_t p = 0; p < n; ++p) largest = std::max(largest, std::abs(work_[p]));
+    for (std::size_t p = 0; p < n; ++p) largest = std::max(largest, std::abs(step_[p]));
     const bool settles = !lagged || largest <= lagged_reduction * last_step || largest <= nothing * tolerance_pressure;
     report.converged = largest <= tolerance_pressure && settles;
     last_step = largest;
-    here = state_.pressure;
-    const double before = imbalance;
-    imbalance = go_to(here, 1.0);
-    if (lagged && imbalance < least_imbalance) {
-      least_imbalance = imbalance;
-      best = state_.pressure;
+    here.assign(flow.pressure().begin(), flow.pressure().end());
+    const double before = imbalance.norm;
+    imbalance = go_to(flow, here, 1.0, skeleton, boundary);
+    if (lagged && imbalance.norm < least_imbalance) {
+      least_imbalance = imbalance.norm;
+      best.assign(flow.pressure().begin(), flow.pressure().end());
     }
-    for (double share = 0.5;
-         !lagged && !report.converged && imbalance >= before && imbalance > rounding_ && share >= least_share;
+    for (double share = 0.5; !lagged && !report.converged && imbalance.norm >= before &&
+                             imbalance.norm > imbalance.rounding && share >= least_share;
          share *= 0.5) {
-      imbalance = go_to(here, share);
+      imbalance = go_to(flow, here, share, skeleton, boundary);
     }
   }
   if (!report.converged) {
-    state_.pressure = start;
-    std::fill(change_.begin(), change_.end(), 0.0);
-    evaluate_soil();
+    flow.set_pressure(start);
     return report;
   }
+  change_.resize(n);
   for (std::size_t p = 0; p < n; ++p) {
-    change_[p] = state_.pressure[p] - start[p];
+    change_[p] = flow.pressure()[p] - start[p];
     report.largest_change = std::max(report.largest_change, std::abs(change_[p]));
   }
-  latest_change_ = change_;
-  find_flow(boundary);
-  book(time_step, skeleton, boundary);
+  flow.head_operator().apply(head_, flow_.outflow);
+  boundary_.take_in(head_, flow_);
+  flow.book(time_step, skeleton, flow_, boundary_.held());
   return report;
 }
 

@@ -1,9 +1,24 @@
 #include "slope/seepage/two_pass_operator.hpp"
 
+#include "require.hpp"
+
 namespace slope::seepage {
 
+namespace {
+
+double checked(double spacing, double smoothing_ratio, const MirrorWalls& walls) {
+  require_above(0.0, "spacing", spacing);
+  require_above(0.0, "smoothing_ratio", smoothing_ratio);
+  walls.check();
+  return spacing;
+}
+
+}  // namespace
+
 TwoPassOperator::TwoPassOperator(double spacing, double smoothing_ratio, const MirrorWalls& walls)
-    : kernel_(smoothing_ratio * spacing), walls_(walls), scale_(lattice_scale(kernel_, spacing)) {}
+    : kernel_(checked(spacing, smoothing_ratio, walls) * smoothing_ratio),
+      walls_(walls),
+      scale_(lattice_scale(kernel_, spacing)) {}
 
 void TwoPassOperator::update(const Skeleton& skeleton) {
   neighbours_ = find_neighbours(skeleton.x, skeleton.y, kernel_.support());

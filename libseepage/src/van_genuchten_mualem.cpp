@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "require.hpp"
+
 namespace slope::seepage {
 
 namespace {
@@ -13,6 +15,13 @@ double pores(double saturation, double m) {
 }
 
 }  // namespace
+
+void VanGenuchtenMualem::check() const {
+  require_above(1.0, "n", n);
+  range.check();
+  require(entry_saturation > 0.0 && entry_saturation <= 1.0, "entry_saturation", "above 0 and at most 1",
+          entry_saturation);
+}
 
 double VanGenuchtenMualem::evaluate(double /*suction_head*/, double saturation) const {
   const double effective = std::clamp((saturation - range.residual) / (range.maximum - range.residual), 0.0, 1.0);

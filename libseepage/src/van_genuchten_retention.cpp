@@ -3,7 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "require.hpp"
+
 namespace slope::seepage {
+
+void VanGenuchten::check() const {
+  require_above(0.0, "alpha", alpha);
+  require_above(1.0, "n", n);
+  require_at_least(0.0, "air_entry", air_entry);
+  range.check();
+}
 
 double VanGenuchten::entry_saturation() const {
   return air_entry > 0.0 ? std::pow(1.0 + std::pow(alpha * air_entry, n), 1.0 / n - 1.0) : 1.0;

@@ -85,10 +85,8 @@ void MaterialPointMethod::stop() {
   state_.particles.for_each_velocity([](std::vector<double>& field) { std::fill(field.begin(), field.end(), 0.0); });
 }
 
-void MaterialPointMethod::predict(double dt, const PoreState& pore, std::span<const ParticleTraction> tractions,
-                                  double damping, std::array<double, 2> body_acceleration,
-                                  const SurfacePressure& surface) {
-  require(tractions.empty() || settings_.particle_spacing > 0.0, "tractions need a particle spacing");
+void MaterialPointMethod::predict(double dt, const PoreState& pore, const Loads& loads, double damping) {
+  require(loads.tractions.empty() || settings_.particle_spacing > 0.0, "tractions need a particle spacing");
   if (settings_.shape_function == ShapeFunction::quadratic_bspline) {
     find_weights<QuadraticBSpline>();
   } else {
@@ -96,9 +94,9 @@ void MaterialPointMethod::predict(double dt, const PoreState& pore, std::span<co
   }
   sort_into_cells();
   find_hats();
-  const PoreState inside = less_outside(pore, surface);
-  scatter(inside, surface, {body_acceleration[0], body_acceleration[1] - settings_.gravity});
-  add_tractions(tractions);
+  const PoreState inside = less_outside(pore, loads.surface);
+  scatter(inside, loads.surface, {loads.body_acceleration[0], loads.body_acceleration[1] - settings_.gravity});
+  add_tractions(loads.tractions);
   fold_walls();
   if (settings_.averages_pressure && !inside.pressure.empty()) {
     find_pressure_force(inside.pressure);

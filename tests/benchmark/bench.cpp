@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "slope/seepage/coupled_step.hpp"
 #include "slope/seepage/neighbours.hpp"
 #include "slope/seepage/pore_flow.hpp"
 #include "slope/solid/material_point_method.hpp"
@@ -76,11 +77,14 @@ struct Block {
 };
 
 // The skeleton's answer to a pressure change, as the pressure step sees it.
-struct GridResponse {
+struct GridResponse final : slope::seepage::VolumeResponse {
+  GridResponse(const MaterialPointMethod& of, double time_step) : solid(of), step(time_step) {}
   const MaterialPointMethod& solid;
   double step;
-  void apply(std::span<const double> q, std::span<double> change) const { solid.volume_response(step, q, change); }
-  void diagonal(std::span<double> diagonal) const { solid.volume_response_diagonal(step, diagonal); }
+  void apply(std::span<const double> q, std::span<double> change) const override {
+    solid.volume_response(step, q, change);
+  }
+  void diagonal(std::span<double> diagonal) const override { solid.volume_response_diagonal(step, diagonal); }
 };
 
 void report(benchmark::State& state, std::size_t particles) {
@@ -117,15 +121,16 @@ void pressure_step(benchmark::State& state) {
   const Block block(static_cast<std::size_t>(state.range(0)));
   auto solid = block.solid(static_cast<int>(state.range(1)));
   auto flow = block.water_flow(static_cast<int>(state.range(1)));
+  slope::seepage::CoupledStep water_step;
   const double step = solid.stable_step(0.25, {});
   std::vector<double> strain(block.x.size());
   solid.predict(step, {flow.pore_stress(), {}}, {}, 0.0);
   solid.volumetric_strain(step, strain);
   double iterations = 0.0;
   for ([[maybe_unused]] auto _ : state) {
-    flow.follow(block.skeleton());
-    iterations += flow.solve(step, block.skeleton(), strain, {}, GridResponse{solid, step}, 1.0e-2).iterations;
-    flow.finish(step, block.skeleton(), {});
+    iterations +=
+        water_step.solve(flow, step, block.skeleton(), strain, {}, GridResponse(solid, step), 1.0e-2).iterations;
+    water_step.finish(flow, block.skeleton());
   }
   report(state, block.x.size());
   state.counters["iterations"] = benchmark::Counter(iterations, benchmark::Counter::kAvgIterations);

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <slope/seepage/pore_flow.hpp>
+#include <slope/seepage/rigid_step.hpp>
 #include <vector>
 
 using namespace slope::seepage;
@@ -38,6 +39,7 @@ int main() {
   settings.spacing = spacing;
   settings.walls = {.left = 0.0, .right = columns * spacing, .base = 0.0};
   PoreFlow flow({soil}, water, soil_of_particle, pressure, skeleton, settings);
+  RigidStep water_step;
 
   // Rain keeps the surface at zero pressure.
   Boundary rain;
@@ -55,7 +57,7 @@ int main() {
   std::printf("%8s %20s %20s\n", "time (s)", "half dry up to (m)", "infiltrated (mm)");
   double wet_above = rows * spacing;
   for (int n = 1; n <= 120; ++n) {
-    if (!flow.advance(step, skeleton, rain, 1.0e-3).converged) return 1;
+    if (!water_step.advance(flow, step, skeleton, rain, 1.0e-3).converged) return 1;
     if (n % 24 != 0) continue;
     const auto suction = flow.suction();
     double dry = 0.0;

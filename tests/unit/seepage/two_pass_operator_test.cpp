@@ -7,7 +7,8 @@
 #include <numbers>
 
 #include "particles.hpp"
-#include "slope/seepage/pore_flow.hpp"
+#include "slope/seepage/explicit_step.hpp"
+#include "slope/seepage/rigid_step.hpp"
 
 namespace slope::seepage {
 namespace {
@@ -88,10 +89,11 @@ double left_over(double jitter, double time_step, double duration) {
   }
   const std::vector<std::uint16_t> soils(box.size(), 0);
   PoreFlow flow({soil}, water, soils, pressure, box.skeleton(), settings);
+  ExplicitStep step;
   const std::vector<double> still(box.size(), 0.0);
-  const double unit = flow.explicit_step(box.skeleton());
+  const double unit = ExplicitStep::stable_step(flow, box.skeleton());
   for (double t = 0.0; t < duration; t += time_step) {
-    flow.advance_explicitly(time_step * unit, box.skeleton(), still, still, {});
+    step.advance(flow, time_step * unit, box.skeleton(), still, still, {});
   }
   double largest = 0.0;
   for (std::size_t p = 0; p < box.size(); ++p) {
@@ -133,13 +135,15 @@ TEST(TwoPassOperator, AShortRunAgreesWithTheHeadOperatorAndTheExactSolution) {
   settings.walls = walls;
   const std::vector<std::uint16_t> soils(column.size(), 0);
   PoreFlow two_pass({soil}, water, soils, start, column.skeleton(), settings);
+  ExplicitStep explicit_step;
   const std::vector<double> still(column.size(), 0.0);
   for (int step = 0; step < steps; ++step) {
-    two_pass.advance_explicitly(time_step, column.skeleton(), still, still, {});
+    explicit_step.advance(two_pass, time_step, column.skeleton(), still, still, {});
   }
   PoreFlow flow({soil}, water, soils, start, column.skeleton(), settings);
+  RigidStep rigid_step;
   for (int step = 0; step < 50; ++step) {
-    ASSERT_TRUE(flow.advance(10.0 * time_step, column.skeleton(), {}, 1.0e-4).converged);
+    ASSERT_TRUE(rigid_step.advance(flow, 10.0 * time_step, column.skeleton(), {}, 1.0e-4).converged);
   }
 
   const double rate = conductivity / (water.unit_weight() * storage) * std::pow(std::numbers::pi / height, 2);

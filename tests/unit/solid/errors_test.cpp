@@ -98,7 +98,7 @@ TEST(MaterialPointMethod, TractionsNeedAParticleSpacing) {
   const MaterialPointMethod good = Block{}.build();
   MaterialPointMethod solid(good.grid(), {testing::table_2_soil()}, good.particles(), {});
   const std::vector<ParticleTraction> tractions{{0, 1.0, 0.0}};
-  EXPECT_THROW(solid.predict(1e-3, {}, tractions, 0.0), std::invalid_argument);
+  EXPECT_THROW(solid.predict(1e-3, {}, {.tractions = tractions}, 0.0), std::invalid_argument);
 }
 
 }  // namespace

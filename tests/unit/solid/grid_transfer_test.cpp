@@ -163,7 +163,7 @@ TEST(Tractions, PushWithTheirShareOfTheSurface) {
   flying.settings.gravity = 0.0;
   MaterialPointMethod solid = flying.build();
   const std::vector<ParticleTraction> tractions{{0, 100.0, 0.0}, {5, 0.0, -40.0}, {5, 10.0, 0.0}};
-  solid.predict(0.01, {}, tractions, 0.0);
+  solid.predict(0.01, {}, {.tractions = tractions}, 0.0);
   solid.advance(0.01, {});
   EXPECT_NEAR(momentum_of(solid).x, 0.01 * 110.0 * 0.25, 1e-12);
   EXPECT_NEAR(momentum_of(solid).y, -0.01 * 40.0 * 0.25, 1e-12);
@@ -183,7 +183,7 @@ TEST(SurfacePressure, OfWaterAroundABlockLiftsItByTheWeightOfTheWater) {
     }
     const Momentum before = momentum_of(solid);
     const PoreState pore = wet ? PoreState{pressure, {}} : PoreState{};
-    solid.predict(0.001, pore, {}, 0.0, {}, {pressure, gradient_x, gradient_y});
+    solid.predict(0.001, pore, {.surface = {pressure, gradient_x, gradient_y}}, 0.0);
     solid.advance(0.001, {});
     EXPECT_NEAR(momentum_of(solid).x - before.x, -0.001 * 300.0 * volume, 1e-9);
     EXPECT_NEAR(momentum_of(solid).y - before.y, 0.001 * 9810.0 * volume, 1e-9);

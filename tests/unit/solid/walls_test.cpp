@@ -117,7 +117,7 @@ TEST(Walls, FrictionThatHoldsIsAFixedWall) {
     Particles& p = solid.particles();
     for (std::size_t i = 0; i < p.size(); ++i) p.syy[i] = -block.dry_density() * 9.81 * (3.0 - p.y[i]);
     for (int step = 0; step < 50; ++step) {
-      solid.predict(1e-3, {}, {}, 0.0, {1.0, 0.0});
+      solid.predict(1e-3, {}, {.body_acceleration = {1.0, 0.0}}, 0.0);
       solid.advance(1e-3, {}, {.yields = false});
     }
     after[wall == Wall::friction] = p;

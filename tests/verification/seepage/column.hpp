@@ -8,6 +8,7 @@
 
 #include "particles.hpp"
 #include "slope/seepage/pore_flow.hpp"
+#include "slope/seepage/rigid_step.hpp"
 #include "slope/testing/curve.hpp"
 
 namespace slope::seepage::testing {
@@ -62,7 +63,7 @@ class Stepper {
                double tolerance_pressure = 0.1) {
     while (time_ < end * (1.0 - 1.0e-12)) {
       const double taken = std::min(step_, end - time_);
-      const SolveReport report = flow.advance(taken, skeleton, boundary, tolerance_pressure);
+      const SolveReport report = water_step_.advance(flow, taken, skeleton, boundary, tolerance_pressure);
       if (!report.converged) {
         step_ = 0.5 * taken;
         if (step_ < 1.0e-9) return false;
@@ -77,6 +78,7 @@ class Stepper {
  private:
   double step_, longest_;
   double time_ = 0.0;
+  RigidStep water_step_;
 };
 
 }  // namespace slope::seepage::testing

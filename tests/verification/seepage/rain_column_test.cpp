@@ -45,7 +45,7 @@ struct Rain {
   void advance(PoreFlow& flow, double end, double longest) {
     while (time_ < end * (1.0 - 1.0e-12)) {
       const double step = std::min(longest, end - time_);
-      ASSERT_TRUE(flow.advance(step, column_.particles.skeleton(), boundary_, 0.1).converged) << time_;
+      ASSERT_TRUE(water_step_.advance(flow, step, column_.particles.skeleton(), boundary_, 0.1).converged) << time_;
       time_ += step;
       const AirFlow& now = flow.air_flow();
       for (const auto part : {&AirFlow::rain, &AirFlow::infiltration, &AirFlow::run_off, &AirFlow::seepage}) {
@@ -60,6 +60,7 @@ struct Rain {
   Boundary boundary_;
   AirFlow budget_;
   double time_ = 0.0, ponding_ = 0.0;
+  RigidStep water_step_;
 };
 
 TEST(RainColumn, PondsInTimeAndFollowsTheReference) {
@@ -120,6 +121,7 @@ struct DryColumn {
     soil.hydraulic_conductivity = conductivity;
     const std::vector<double> start(column.particles.size(), -15.0e3);
     PoreFlow flow({soil}, Water{}, column.soil(), start, column.particles.skeleton(), column.settings());
+    RigidStep water_step;
     Boundary boundary;
     boundary.count = 1;
     for (std::uint32_t i = 0; i < testing::Column::columns; ++i) {
@@ -130,7 +132,7 @@ struct DryColumn {
     double now = 0.0, step = 1.0;
     while (now < time * (1.0 - 1.0e-12)) {
       const double taken = std::min(step, time - now);
-      if (!flow.advance(taken, column.particles.skeleton(), boundary, 0.1).converged) {
+      if (!water_step.advance(flow, taken, column.particles.skeleton(), boundary, 0.1).converged) {
         step = 0.5 * taken;
         if (step > 1.0e-6) continue;
         ADD_FAILURE() << "no step after " << now << " s";

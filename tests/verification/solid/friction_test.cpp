@@ -59,7 +59,8 @@ class SlidingBlock {
     const double crossing = given.height / given.cell_size * solid_.stable_step(1.0, {});
     const StepMode initial{.yields = false, .moves = false, .accumulates_strain = false};
     for (double time = 0.0; time < 100.0 * crossing; time += step_) {
-      solid_.predict(step_, {}, {}, 0.5 * std::numbers::pi / crossing, given.sudden ? std::array{0.0, 0.0} : body());
+      solid_.predict(step_, {}, {.body_acceleration = given.sudden ? std::array{0.0, 0.0} : body()},
+                     0.5 * std::numbers::pi / crossing);
       solid_.advance(step_, {}, initial);
     }
     solid_.stop();
@@ -68,7 +69,7 @@ class SlidingBlock {
   void run(double duration) {
     for (double time = 0.0; time < duration - 1e-9;) {
       const double dt = std::min(step_, duration - time);
-      solid_.predict(dt, {}, {}, 0.0, body());
+      solid_.predict(dt, {}, {.body_acceleration = body()}, 0.0);
       solid_.advance(dt, {}, {.yields = false});
       time += dt;
       for (const WallReaction& reaction : solid_.wall_reactions()) {
@@ -280,13 +281,13 @@ TEST(FrictionBlock, SlidesWithItsEffectiveWeightInWater) {
     for (double& p : pressure) p = unit_weight * (height - p);
     const double dt = solid.stable_step(0.5, water);
     for (int step = 0; step < 1500; ++step) {
-      solid.predict(dt, {pressure, water}, {}, 40.0, {0.4 * gravity, 0.0});
+      solid.predict(dt, {pressure, water}, {.body_acceleration = {0.4 * gravity, 0.0}}, 40.0);
       solid.advance(dt, {}, {.yields = false, .moves = false, .accumulates_strain = false});
     }
     solid.stop();
     double time = 0.0;
     for (; time < 0.8; time += dt) {
-      solid.predict(dt, {pressure, water}, {}, 0.0, {0.4 * gravity, 0.0});
+      solid.predict(dt, {pressure, water}, {.body_acceleration = {0.4 * gravity, 0.0}}, 0.0);
       solid.advance(dt, {}, {.yields = false});
     }
     error = std::max(error, std::abs(mean(solid.particles().vx) / (expected * time) - 1.0));
@@ -311,12 +312,12 @@ double fall(Wall left, Wall right, double friction, double push, double time) {
   MaterialPointMethod solid = block.build();
   const double dt = solid.stable_step(0.5, {});
   for (int step = 0; step < 2000; ++step) {
-    solid.predict(dt, {}, {}, 40.0, {push * gravity, 0.0});
+    solid.predict(dt, {}, {.body_acceleration = {push * gravity, 0.0}}, 40.0);
     solid.advance(dt, {}, {.yields = false, .moves = false, .accumulates_strain = false});
   }
   solid.stop();
   for (double t = 0.0; t < time - 0.5 * dt; t += dt) {
-    solid.predict(dt, {}, {}, 0.0, {push * gravity, 0.0});
+    solid.predict(dt, {}, {.body_acceleration = {push * gravity, 0.0}}, 0.0);
     solid.advance(dt, {}, {.yields = false});
   }
   return -mean(solid.particles().uy);

@@ -47,7 +47,7 @@ double acceleration_on_friction(double friction, double horizontal_coefficient) 
   double time = 0.0, early_time = 0.0, early = 0.0;
   while (time < 1.0) {
     const double push = horizontal_coefficient * gravity * std::min(1.0, time / 0.2);
-    solid.predict(dt, {}, {}, 0.0, {push, 0.0});
+    solid.predict(dt, {}, {.body_acceleration = {push, 0.0}}, 0.0);
     solid.advance(dt, {}, {.yields = false});
     time += dt;
     if (early_time == 0.0 && time > 0.4) {
@@ -90,7 +90,7 @@ TEST(BodyForce, ShearsALayer) {
   const double dt = solid.stable_step(0.5, {});
   const double first_mode = 0.5 * std::numbers::pi * std::sqrt(shear / block.dry_density()) / height;
   for (double time = 0.0; time < 12.0 / first_mode; time += dt) {
-    solid.predict(dt, {}, {}, 2.0 * first_mode, {push, 0.0});
+    solid.predict(dt, {}, {.body_acceleration = {push, 0.0}}, 2.0 * first_mode);
     solid.advance(dt, {}, {.yields = false, .moves = false});
   }
   // the displacement of the top is the sum of the shear strain over the column in the middle
@@ -202,7 +202,7 @@ TEST(AbsorbingWall, BearsWhatRestsOnIt) {
   std::vector<ParticleTraction> load;
   for (std::size_t i = p.size() - 4; i < p.size(); ++i) load.push_back({i, 0.0, -1.0e4, 0.0, 0.5 * block.spacing()});
   for (double time = 0.0; time < 30.0 / first_mode; time += dt) {
-    solid.predict(dt, {}, load, 2.0 * first_mode);
+    solid.predict(dt, {}, {.tractions = load}, 2.0 * first_mode);
     solid.advance(dt, {}, {.yields = false});
   }
   EXPECT_NEAR(settlement(), 1.0e4 * (height + 5.0) / modulus, 0.02 * 1.0e4 * height / modulus);

@@ -2,8 +2,12 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <variant>
 #include <vector>
 
+#include "slope/seepage/drain.hpp"
+#include "slope/seepage/face_pressure.hpp"
+#include "slope/seepage/inflow.hpp"
 #include "slope/seepage/open_face.hpp"
 
 namespace slope::seepage {
@@ -15,36 +19,6 @@ struct HeldPressure {
   double pressure = 0.0;       ///< P_w at the end of the step (Pa)
 };
 
-/// The pressure of a face is prescribed, half a spacing away from its particle.
-struct FacePressure {
-  std::uint32_t particle = 0;
-  std::uint32_t boundary = 0;
-  double pressure = 0.0;  ///< P_w at the face at the end of the step (Pa)
-  double rise = 0.0;      ///< height of the face above the particle (m), negative below
-  double distance = 0.0;  ///< of the face from the particle (m), > 0
-  double area = 0.0;      ///< of the face per metre of thickness (m), > 0
-};
-
-/// An open face while its pressure is held (Pa).
-[[nodiscard]] inline FacePressure held_at(const OpenFace& face, double pressure) {
-  return {face.particle, face.boundary, pressure, face.rise, face.distance, face.area};
-}
-
-/// Water that enters a particle (m2/s per metre of thickness), positive inwards.
-struct Inflow {
-  std::uint32_t particle = 0;
-  std::uint32_t boundary = 0;
-  double rate = 0.0;
-};
-
-/// Water leaves a particle downwards by its own weight, with a head that falls by one metre per metre (free drainage):
-/// the soil goes on below as it is here, and the water table is far down.
-struct Drain {
-  std::uint32_t particle = 0;
-  std::uint32_t boundary = 0;
-  double width = 0.0;  ///< horizontal (m), > 0
-};
-
 /// What acts on the pore water during one step. A particle appears at most once in `held`, and then not in
 /// `open_faces`.
 struct Boundary {
@@ -54,6 +28,30 @@ struct Boundary {
   std::vector<OpenFace> open_faces;
   std::vector<Drain> drains;
   std::size_t count = 0;  ///< number of boundaries that water is counted for
+
+  /// Calls visit(list) for the lists of conditions that have a law, in the order in which they add up.
+  template <class Self, class Visit>
+  static void for_each_list(Self& s, const Visit& visit) {
+    visit(s.faces);
+    visit(s.inflows);
+    visit(s.drains);
+    visit(s.open_faces);
+  }
+  void clear() {
+    held.clear();
+    for_each_list(*this, [](auto& list) { list.clear(); });
+  }
 };
+
+/// The law of one condition: what comes in over the head of the particle. Each is, in its own file beside its
+/// condition, made by law_of() and has
+///
+///     inflow(h), stiffness()  the part of it that stands in the equations, linear in the head h (m2/s), and by how
+///     much
+///                             that falls with h (m/s), >= 0
+///     conductance_slope()     what the slope of a conductance adds to that of the inflow, for Newton's method (m/s)
+///     follow(h)               takes the part that holds at a head into the equations; whether that is another one
+///     exchange(h)             what the law itself lets in
+using BoundaryLaw = std::variant<FaceLaw, InflowLaw, DrainLaw, OpenFaceLaw>;
 
 }  // namespace slope::seepage

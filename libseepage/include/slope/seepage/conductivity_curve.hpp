@@ -19,6 +19,7 @@ class ConductivityCurve {
                              ///< of very dry soil on (m2/s)
   };
 
+  /// @throws std::invalid_argument as Soil::check() does
   explicit ConductivityCurve(const Soil& soil);
 
   /// @param pressure_head  P_w / gamma_w (m), any sign

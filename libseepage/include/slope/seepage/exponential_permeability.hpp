@@ -8,6 +8,8 @@ namespace slope::seepage {
 struct ExponentialPermeability {
   double alpha = 0.0;  ///< (1/m), > 0
 
+  /// @throws std::invalid_argument naming the field that is out of its range
+  void check() const;
   /// @param suction_head h_s (m), any sign; @param saturation S_r (-), not used; @return k_rw (-), before the floor.
   [[nodiscard]] double evaluate(double suction_head, double saturation) const;
   /// dk_rw/dh_s (1/m), <= 0, before the floor; `saturation` with its slope at h_s.

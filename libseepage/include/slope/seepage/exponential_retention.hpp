@@ -13,6 +13,8 @@ struct ExponentialRetention {
   double alpha = 0.0;  ///< (1/m), > 0
   SaturationRange range;
 
+  /// @throws std::invalid_argument naming the field that is out of its range
+  void check() const;
   /// @param suction_head h_s = s / gamma_w (m), any sign.
   [[nodiscard]] Saturation evaluate(double suction_head) const;
   /// Suction head at which the curve is steepest (m), > 0.

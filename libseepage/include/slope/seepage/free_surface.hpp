@@ -40,7 +40,8 @@ class FreeSurface {
   };
 
   /// @param spacing  of the particles (m), > 0
-  FreeSurface(double spacing, const MirrorWalls& walls) : spacing_(spacing), walls_(walls) {}
+  /// @throws std::invalid_argument naming the field that is out of its range
+  FreeSurface(double spacing, const MirrorWalls& walls);
 
   /// Follows the particles; finds the surface anew when one has moved by more than a twentieth of the spacing since the
   /// last time. @return whether it did.

@@ -43,6 +43,7 @@ class HeadOperator {
   };
 
   /// @param spacing  particle spacing (m); @param smoothing_ratio  smoothing length over spacing (-)
+  /// @throws std::invalid_argument naming the field that is out of its range
   HeadOperator(double spacing, double smoothing_ratio, const MirrorWalls& walls, int threads);
 
   /// Tells soils apart; without it all particles are of one. @param soil  index into `curves` of each particle

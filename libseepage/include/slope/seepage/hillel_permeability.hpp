@@ -8,6 +8,8 @@ namespace slope::seepage {
 struct HillelPower {
   double exponent = 2.0;  ///< L (-), > 0; 2 to 4 as a rule
 
+  /// @throws std::invalid_argument naming the field that is out of its range
+  void check() const;
   /// @param suction_head h_s (m), not used; @param saturation S_r (-), in [0, 1]; @return k_rw (-), before the floor.
   [[nodiscard]] double evaluate(double suction_head, double saturation) const;
   /// dk_rw/dh_s (1/m), <= 0, before the floor; `saturation` with its slope at h_s.

@@ -10,6 +10,8 @@ struct LiakopoulosPermeability {
   double coefficient = 2.207;  ///< a (-), > 0
   double exponent = 1.0;       ///< b (-), > 0
 
+  /// @throws std::invalid_argument naming the field that is out of its range
+  void check() const;
   /// @param suction_head h_s (m), not used; @param saturation S_r (-), in [0, 1]; @return k_rw (-), before the floor.
   [[nodiscard]] double evaluate(double suction_head, double saturation) const;
   /// dk_rw/dh_s (1/m), <= 0, before the floor; `saturation` with its slope at h_s.

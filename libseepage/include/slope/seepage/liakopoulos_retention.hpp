@@ -15,6 +15,8 @@ struct LiakopoulosRetention {
   double exponent = 2.4279;      ///< b (-), > 1
   double floor = 0.0;            ///< lowest S_r (-), in [0, 1)
 
+  /// @throws std::invalid_argument naming the field that is out of its range
+  void check() const;
   /// @param suction_head h_s = s / gamma_w (m), any sign.
   [[nodiscard]] Saturation evaluate(double suction_head) const;
   /// Suction head at which the curve is steepest (m), > 0.

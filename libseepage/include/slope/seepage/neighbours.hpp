@@ -17,6 +17,7 @@ struct Neighbours {
   [[nodiscard]] std::span<const std::uint32_t> of(std::size_t p) const {
     return {index.data() + start[p], start[p + 1] - start[p]};
   }
+  bool operator==(const Neighbours&) const = default;
 };
 
 /// Finds the pairs closer than `radius` (m, > 0); cost linear in the particles.

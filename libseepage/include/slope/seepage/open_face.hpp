@@ -2,6 +2,9 @@
 
 #include <cstdint>
 
+#include "slope/seepage/exchange.hpp"
+#include "slope/seepage/face_pressure.hpp"
+
 namespace slope::seepage {
 
 /// A face where soil meets air, half a spacing away from its particle. Rain falls on it or the air asks for water; what
@@ -25,45 +28,27 @@ struct OpenFace {
   double area = 0.0;              ///< of the face per metre of thickness (m), > 0
 };
 
-/// What air and soil exchange (m2/s per metre of thickness), each >= 0: rain = infiltration + run_off, and the inflow
-/// is infiltration - seepage - evaporation.
-struct AirFlow {
-  double rain = 0.0;          ///< what fell
-  double infiltration = 0.0;  ///< of it into the soil
-  double run_off = 0.0;       ///< of it along the ground and away
-  double seepage = 0.0;       ///< out of the soil, as water
-  double evaporation = 0.0;   ///< out of the soil, into the air
-
-  AirFlow& operator+=(const AirFlow& other);
-
-  template <class Self, class Visit>
-  static void for_each_field(Self& s, const Visit& visit) {
-    visit("rain", s.rain);
-    visit("infiltration", s.infiltration);
-    visit("run_off", s.run_off);
-    visit("seepage", s.seepage);
-    visit("evaporation", s.evaporation);
-  }
-  bool operator==(const AirFlow&) const = default;
-};
-
-/// The parts of an inflow q through a face with rain R; q <= max(R, 0).
-[[nodiscard]] AirFlow air_flow(double rain, double inflow);
-
 /// The inflow of an OpenFace with conductances that stay what they are during a step.
 struct OpenFaceLaw {
   /// Which part of the law holds.
   enum class Part { air, wet, dry, closed };
 
   double rain = 0.0;
-  double wet_conductance = 0.0, wet_head = 0.0;  ///< G_w (m/s per metre of thickness), h_w (m)
-  double dry_conductance = 0.0, dry_head = 0.0;
+  FaceLaw wet;            ///< with the ponding pressure at the face
+  FaceLaw dry;            ///< with the lowest one; for evaporation only
+  Part part = Part::air;  ///< which stands in the equations
 
   [[nodiscard]] Part part_at(double head) const;
   /// Inflow (m2/s) by one part of the law, which is linear in the head.
-  [[nodiscard]] double inflow(Part part, double head) const;
-  /// By how much that inflow falls with the head (m/s).
-  [[nodiscard]] double conductance(Part part) const;
+  [[nodiscard]] double inflow(Part of, double head) const;
+
+  [[nodiscard]] double inflow(double head) const { return inflow(part, head); }
+  [[nodiscard]] double stiffness() const;
+  [[nodiscard]] double conductance_slope() const;
+  bool follow(double head);
+  [[nodiscard]] Exchange exchange(double head) const;
 };
+
+[[nodiscard]] OpenFaceLaw law_of(const OpenFace& face, const PoreFlow& flow, double elevation, double head);
 
 }  // namespace slope::seepage

@@ -8,8 +8,8 @@
 
 namespace slope::seepage {
 
-/// The water retention curve of a soil: one of the laws, each with evaluate(suction head) -> Saturation
-/// and steepest() -> suction head of the largest slope.
+/// The water retention curve of a soil: one of the laws, each with evaluate(suction head) -> Saturation,
+/// steepest() -> suction head of the largest slope, and check() of its parameters.
 using Retention = std::variant<VanGenuchten, LiakopoulosRetention, ExponentialRetention>;
 
 /// @param suction_head h_s (m), any sign.

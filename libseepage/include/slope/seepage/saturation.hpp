@@ -13,6 +13,8 @@ struct SaturationRange {
   double residual = 0.0;  ///< (-), in [0, maximum)
   double maximum = 1.0;   ///< (-), in (residual, 1]
 
+  /// @throws std::invalid_argument naming the field that is out of its range
+  void check() const;
   /// S_r and its slope for those of S_e.
   [[nodiscard]] Saturation scale(double effective, double effective_slope) const {
     const double span = maximum - residual;

@@ -10,6 +10,9 @@ struct Soil {
   Retention retention;
   RelativePermeability relative_permeability;
   double hydraulic_conductivity = 0.0;  ///< k (m/s), > 0: saturated conductivity
+
+  /// @throws std::invalid_argument naming the field that is out of its range
+  void check() const;
 };
 
 /// The pore water and the gravity it feels.
@@ -18,6 +21,8 @@ struct Water {
   double bulk_modulus = 2.0e9;  ///< K_w (Pa), > 0
   double gravity = 9.81;        ///< g (m/s2), > 0, acting towards -y
 
+  /// @throws std::invalid_argument naming the field that is out of its range
+  void check() const;
   [[nodiscard]] double unit_weight() const { return density * gravity; }  ///< gamma_w (N/m3)
 };
 

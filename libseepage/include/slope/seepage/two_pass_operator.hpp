@@ -24,6 +24,7 @@ namespace slope::seepage {
 class TwoPassOperator {
  public:
   /// @param spacing  particle spacing (m); @param smoothing_ratio  smoothing length over spacing (-)
+  /// @throws std::invalid_argument naming the field that is out of its range
   TwoPassOperator(double spacing, double smoothing_ratio, const MirrorWalls& walls);
 
   /// Finds the neighbours at the skeleton's present positions; call before the others.

@@ -17,6 +17,8 @@ struct VanGenuchtenMualem {
   SaturationRange range;          ///< that of the retention curve
   double entry_saturation = 1.0;  ///< S_c of the retention curve (-), in (0, 1]
 
+  /// @throws std::invalid_argument naming the field that is out of its range
+  void check() const;
   /// @param suction_head h_s (m), not used; @param saturation S_r (-), in [0, 1]; @return k_rw (-), before the floor.
   [[nodiscard]] double evaluate(double suction_head, double saturation) const;
   /// dk_rw/dh_s (1/m), <= 0, before the floor; `saturation` with its slope at h_s.

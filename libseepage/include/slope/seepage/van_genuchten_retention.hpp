@@ -21,6 +21,8 @@ struct VanGenuchten {
   /// The formula's S_e at the air entry (-), in (0, 1].
   [[nodiscard]] double entry_saturation() const;
 
+  /// @throws std::invalid_argument naming the field that is out of its range
+  void check() const;
   /// @param suction_head h_s = s / gamma_w (m), any sign.
   [[nodiscard]] Saturation evaluate(double suction_head) const;
   /// Suction head at which the curve is steepest (m), > 0.

@@ -65,6 +65,13 @@ struct ParticleTraction {
   double face_y = 0.0;  ///< load acts half a spacing too deep
 };
 
+/// What acts on the soil from outside in one step, besides gravity.
+struct Loads {
+  std::span<const ParticleTraction> tractions{};      ///< each acts over one particle spacing of surface (Eq. 17)
+  std::array<double, 2> body_acceleration{0.0, 0.0};  ///< of a body force on soil and water (m/s2)
+  SurfacePressure surface{};
+};
+
 /// What one step moves.
 struct StepMode {
   bool yields = true;              ///< false: elastic, whatever the strength
@@ -168,14 +175,10 @@ class MaterialPointMethod {
   [[nodiscard]] double stable_step(double courant_number, std::span<const double> water_mass) const;
 
   /// v* = (v + dt M^-1 f) / (1 + damping dt).
-  /// @param tractions  each acts over one particle spacing of surface (Eq. 17)
   /// @param damping  mass-proportional viscous damping (1/s), >= 0; it slows what follows in the same step alike
-  /// @param body_acceleration  of a body force on soil and water besides gravity (m/s2)
-  /// @param surface  pressure on the soil from outside
   /// @throws SolidError if a particle is outside of the grid; std::invalid_argument if there are tractions but no
   /// particle spacing in the settings
-  void predict(double dt, const PoreState& pore, std::span<const ParticleTraction> tractions, double damping,
-               std::array<double, 2> body_acceleration = {0.0, 0.0}, const SurfacePressure& surface = {});
+  void predict(double dt, const PoreState& pore, const Loads& loads, double damping);
 
   /// Lets absorbing walls yield. Until then they are fixed, so that an initial state can be found; from then on they
   /// bear what they bore in the latest step, and resist what moves them: by a dashpot of the impedance of the drained
