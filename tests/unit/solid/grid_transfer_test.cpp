@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "block.hpp"
 
@@ -156,6 +157,65 @@ TEST(Apic, RigidRotationTurnsOnUndiminished) {
   for (std::size_t i = 0; i < p.size(); ++i) {
     EXPECT_NEAR(p.cyx[i] - p.cxy[i], 2.0 * spin, 0.02 * spin);
   }
+}
+
+// How far soil without resistance goes on in bands that slide past each other, three cells wide: the transfer smooths
+// them, as a viscosity would. What is left, once the affine fields have formed, after a number of steps.
+double left_of_bands(double restored_losses, int steps) {
+  Block flying = flying_block();
+  flying.rows = 40;
+  flying.soil_rows = 24;
+  flying.settings.gravity = 0.0;
+  flying.soil.elastic.youngs_modulus = 1.0e-9;
+  MaterialPointMethod solid = flying.build();
+  Particles& p = solid.particles();
+  const auto bands = [&](std::size_t i) { return std::sin(std::numbers::pi * p.y[i] / (3.0 * flying.cell_size)); };
+  for (std::size_t i = 0; i < p.size(); ++i) p.vx[i] = 1.0e-6 * bands(i);
+  const auto go = [&](int number) {
+    for (int step = 0; step < number; ++step) {
+      solid.predict(1.0e-3, {}, {}, 0.0);
+      solid.advance(1.0e-3, {}, {.restored_losses = restored_losses});
+    }
+    double sum = 0.0;
+    for (std::size_t i = 0; i < p.size(); ++i) sum += p.solid_mass[i] * bands(i) * p.vx[i];
+    return sum;
+  };
+  const double before = go(100);
+  return go(steps) / before;
+}
+
+TEST(Apic, GivesBackWhatItTakesFromLastingMotion) {
+  const auto rate = [](double share) { return -std::log(left_of_bands(share, 100)) / 100.0; };  // per step
+  const double alone = rate(0.0);
+  EXPECT_GT(alone, 5.0e-3);
+  EXPECT_LT(rate(0.9), 0.2 * alone);
+  EXPECT_LT(rate(0.99), 0.02 * alone);
+  EXPECT_NEAR(left_of_bands(1.0, 1000), 1.0, 1.0e-3);
+}
+
+// Cells that vibrate against each other lose what APIC alone takes from them.
+TEST(Apic, DampsVibrationsThoughItGivesBackWhatLasts) {
+  const auto energy_left = [](double restored_losses) {
+    Block flying = flying_block();
+    flying.settings.gravity = 0.0;
+    MaterialPointMethod solid = flying.build();
+    Particles& p = solid.particles();
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      p.vy[i] = 1.0e-4 * std::cos(std::numbers::pi * p.y[i] / flying.cell_size + 0.3);
+    }
+    const double dt = solid.stable_step(0.5, {});
+    double first = 0.0, last = 0.0;
+    for (int step = 0; step < 400; ++step) {
+      solid.predict(dt, {}, {}, 0.0);
+      solid.advance(dt, {}, {.restored_losses = restored_losses});
+      if (step < 20) first += solid.balance().kinetic_energy;
+      if (step >= 380) last += solid.balance().kinetic_energy;
+    }
+    return last / first;
+  };
+  const double alone = energy_left(0.0);
+  EXPECT_LT(alone, 0.5);
+  EXPECT_NEAR(energy_left(1.0), alone, 0.05 * alone);
 }
 
 TEST(Tractions, PushWithTheirShareOfTheSurface) {
