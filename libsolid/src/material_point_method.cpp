@@ -18,6 +18,10 @@ void require(bool holds, const char* message) {
   if (!holds) throw std::invalid_argument(message);
 }
 
+void to_zero(std::vector<double>& field) {
+  std::fill(field.begin(), field.end(), 0.0);
+}
+
 void check_particles(const Particles& particles, std::size_t soils) {
   Particles::for_each_field(particles, [&](const char* /*name*/, const auto& field) {
     require(field.size() == particles.size(), "the particles' arrays differ in length");
@@ -82,7 +86,7 @@ double MaterialPointMethod::stable_step(double courant_number, std::span<const d
 }
 
 void MaterialPointMethod::stop() {
-  state_.particles.for_each_velocity([](std::vector<double>& field) { std::fill(field.begin(), field.end(), 0.0); });
+  state_.particles.for_each_velocity(to_zero);
 }
 
 void MaterialPointMethod::predict(double dt, const PoreState& pore, const Loads& loads, double damping) {
@@ -160,10 +164,7 @@ void MaterialPointMethod::advance(double dt, std::span<const double> suction, co
 void MaterialPointMethod::forget_losses() {
   if (!state_.has_losses) return;
   state_.has_losses = false;
-  Particles& p = state_.particles;
-  for (auto* lost : {&p.lost_vx, &p.lost_vy, &p.lost_cxx, &p.lost_cxy, &p.lost_cyx, &p.lost_cyy}) {
-    std::fill(lost->begin(), lost->end(), 0.0);
-  }
+  state_.particles.for_each_loss(to_zero);
 }
 
 void MaterialPointMethod::check() const {

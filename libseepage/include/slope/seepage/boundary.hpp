@@ -46,12 +46,11 @@ struct Boundary {
 /// The law of one condition: what comes in over the head of the particle. Each is, in its own file beside its
 /// condition, made by law_of() and has
 ///
-///     inflow(h), stiffness()  the part of it that stands in the equations, linear in the head h (m2/s), and by how
-///     much
-///                             that falls with h (m/s), >= 0
-///     conductance_slope()     what the slope of a conductance adds to that of the inflow, for Newton's method (m/s)
-///     follow(h)               takes the part that holds at a head into the equations; whether that is another one
-///     exchange(h)             what the law itself lets in
+///     inflow(h)            the part of it that stands in the equations, linear in the head h (m2/s)
+///     stiffness()          by how much that falls with h (m/s), >= 0
+///     conductance_slope()  what the slope of a conductance adds to that of the inflow, for Newton's method (m/s)
+///     follow(h)            takes the part that holds at a head into the equations; whether that is another one
+///     exchange(h)          what the law itself lets in (m2/s)
 using BoundaryLaw = std::variant<FaceLaw, InflowLaw, DrainLaw, OpenFaceLaw>;
 
 }  // namespace slope::seepage

@@ -48,10 +48,13 @@ struct Particles {
   /// Calls visit(array) for each array that is proportional to the velocity.
   template <class Visit>
   void for_each_velocity(const Visit& visit) {
-    for (auto* field :
-         {&vx, &vy, &cxx, &cxy, &cyx, &cyy, &lost_vx, &lost_vy, &lost_cxx, &lost_cxy, &lost_cyx, &lost_cyy}) {
-      visit(*field);
-    }
+    for (auto* field : {&vx, &vy, &cxx, &cxy, &cyx, &cyy}) visit(*field);
+    for_each_loss(visit);
+  }
+  /// Calls visit(array) for each array of losses.
+  template <class Visit>
+  void for_each_loss(const Visit& visit) {
+    for (auto* field : {&lost_vx, &lost_vy, &lost_cxx, &lost_cxy, &lost_cyx, &lost_cyy}) visit(*field);
   }
   bool operator==(const Particles&) const = default;
 

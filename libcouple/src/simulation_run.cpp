@@ -1,0 +1,290 @@
+#include "simulation_run.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+
+#include "initial_state.hpp"
+#include "slope/couple/read_case.hpp"
+
+namespace slope::couple {
+
+namespace {
+
+constexpr std::array displacement_marks{0.01, 0.02, 0.05, 0.10, 0.30, 1.00};  // m
+constexpr std::array shorter_steps{0.5, 0.25, 0.125};                         // shares of a step that broke
+constexpr double at_once = 10.0;  // first periods after the start in which a slope fails at once
+
+InitialParticles fill(const Case& input) {
+  InitialParticles particles = fill_regions(input.domain, input.regions);
+  if (particles.x.empty()) {
+    throw InputError(
+        {{input.path, 0, "geometry", "no particle lies inside the polygons; make them larger than a cell"}});
+  }
+  return particles;
+}
+
+SlopeScale scale_of(const Case& input, const InitialParticles& particles, const Mixture& mixture) {
+  SlopeScale scale;
+  const auto [low, high] = std::ranges::minmax(particles.y);
+  scale.height = high - low + particles.spacing;
+  scale.wave_speed = input.domain.cell_size / mixture.soil.stable_step(1.0, mixture.water_mass());
+  scale.gravity = input.gravity;
+  const std::vector<double> water_mass = mixture.water_mass();
+  double mass = 0.0, volume = 0.0;
+  for (std::size_t p = 0; p < particles.x.size(); ++p) {
+    mass += mixture.soil.particles().solid_mass[p] + water_mass[p];
+    volume += particles.volume[p];
+  }
+  scale.overburden = mass / volume * input.gravity * scale.height;
+  return scale;
+}
+
+std::size_t nearest_particle(const InitialParticles& particles, const Point& point) {
+  std::size_t nearest = 0;
+  double least = never;
+  for (std::size_t p = 0; p < particles.x.size(); ++p) {
+    const double distance = std::hypot(particles.x[p] - point[0], particles.y[p] - point[1]);
+    if (distance < least) {
+      least = distance;
+      nearest = p;
+    }
+  }
+  return nearest;
+}
+
+}  // namespace
+
+Simulation::Run::Run(Case c, std::optional<bool> mirrored, int threads)
+    : given(std::move(c)),
+      frame(given, mirrored),
+      input(frame.place(given)),
+      particles(fill(input)),
+      mixture(input, particles, initial_pressure(input, particles), threads),
+      scale(scale_of(input, particles, mixture)),
+      conditions(input, particles),
+      scheme(make_scheme(input)),
+      clock(clock_limits(scheme, input, mixture), scale, conditions.change_times()),
+      surface(particles, faces_at({}, input, particles)),
+      ground(input.domain, input.regions),
+      runaway(input.onset_displacement, at_once * scale.period()),
+      rest(std::sqrt(scale.height / scale.gravity)),
+      snapshot_times(input.output.snapshots) {
+  now.time_step = longest_step(scheme, mixture, input.numerics.courant_number);
+  now.first_storage = mixture.water.stored_water();
+  now.result.end_reason = running;
+  now.result.onset_criterion = input.onset_displacement;
+  now.result.particles = particles.x.size();
+  for (const double mark : displacement_marks) now.result.displacement_times.push_back({mark, {}});
+  for (const VerificationPoint& point : input.points) followed.push_back(nearest_particle(particles, point.position));
+  for (double t = input.output.snapshot_interval; t < input.stop.time; t += input.output.snapshot_interval) {
+    snapshot_times.push_back(t);
+  }
+  std::erase_if(snapshot_times, [](double t) { return t <= 0.0; });  // the start is always there
+  std::ranges::sort(snapshot_times);
+  take_due();
+}
+
+// What has become due, which from then on is done.
+Simulation::Run::Due Simulation::Run::take_due() {
+  Due result;
+  for (; due(history_time(history_rows)); ++history_rows) result.history = true;
+  for (; next_snapshot < snapshot_times.size() && due(snapshot_times[next_snapshot]); ++next_snapshot) {
+    result.snapshot = true;
+  }
+  return result;
+}
+
+SimulationState Simulation::Run::state() const {
+  return {.mirrored = frame.is_mirrored(),
+          .soil = mixture.soil.state(),
+          .water = mixture.water.state(),
+          .head_operator = mixture.water.head_operator().state(),
+          .mixture = mixture.state(),
+          .boundary = conditions.state(),
+          .clock = clock.state(),
+          .water_step = water_step(scheme),
+          .runaway = runaway.state(),
+          .rest = rest.state(),
+          .progress = now};
+}
+
+// Whether the state is one of this ground.
+void Simulation::Run::check(const SimulationState& state) const {
+  const auto refuse = [this](const std::string& why) {
+    throw InputError({{input.path, 0, "", "the state is of another case: " + why}});
+  };
+  const std::size_t n = particles.x.size(), other = state.soil.particles.size();
+  if (other != n) refuse("it has " + std::to_string(other) + " particles instead of " + std::to_string(n));
+  if (state.soil.particles.soil != mixture.soil.particles().soil) refuse("its soils lie elsewhere");
+  if (state.mixture.first_volume.empty() == mixture.rigid()) refuse("one skeleton is rigid, the other is not");
+  if ((state.water_step > 0.0) != (water_step(scheme) > 0.0)) refuse("its scheme is another");
+  for (const auto* field : {&state.mixture.first_volume, &state.mixture.first_porosity, &state.boundary.first_pressure,
+                            &state.boundary.free_surface.x, &state.clock.pressure, &state.rest.ux, &state.rest.uy}) {
+    if (!field->empty() && field->size() != n) refuse("a field has not one entry for each particle");
+  }
+  if (state.progress.farthest_particle >= n || state.runaway.samples.empty() || state.boundary.first_pressure.empty()) {
+    refuse("it is not whole");
+  }
+}
+
+void Simulation::Run::set_state(SimulationState state) {
+  check(state);
+  try {
+    mixture.soil.set_state(std::move(state.soil));
+    mixture.water.set_state(std::move(state.water), std::move(state.head_operator));
+    mixture.set_state(std::move(state.mixture));
+    conditions.set_state(std::move(state.boundary));
+  } catch (const std::invalid_argument& error) {
+    throw InputError({{input.path, 0, "", std::string("the state is of another case: ") + error.what()}});
+  }
+  clock.set_state(std::move(state.clock));
+  set_water_step(scheme, state.water_step);
+  runaway.set_state(std::move(state.runaway));
+  rest.set_state(std::move(state.rest));
+  now = std::move(state.progress);
+  history_rows = next_snapshot = 0;
+  take_due();
+}
+
+// @return whether it came to the end
+bool Simulation::Run::find_initial_state(const InitialObserver& go_on) {
+  const bool is_steady = std::holds_alternative<SteadyWater>(input.initial_water);
+  if (is_steady && !find_steady_flow(mixture, conditions, go_on)) return false;
+  conditions.remember_pressures(mixture.water.pressure());
+  Actions before;
+  conditions.apply_initial(mixture, before);
+  const double step = mixture.soil.stable_step(input.numerics.courant_number, mixture.water_mass());
+  const bool needs_stress = input.scheme != Scheme::seepage;
+  std::optional<double> unbalanced = 0.0;
+  if (needs_stress && input.initial_stress == InitialStress::self_weight) {
+    unbalanced = find_self_weight_stress(mixture, before, scale, step, go_on);
+  } else if (needs_stress && input.initial_stress == InitialStress::k0) {
+    unbalanced = find_k0_stress(mixture, before, scale, step, particles.spacing, k0_of_soils(input), go_on);
+  }
+  if (!unbalanced) return false;
+  now.result.initial_unbalanced_ratio = *unbalanced;
+  now.result.stands_before = *unbalanced <= unbalanced_limit;
+  if (needs_stress && input.initial_stress != InitialStress::none &&
+      !add_standing_acceleration(mixture, before, conditions.standing_acceleration(), scale, step, go_on)) {
+    return false;
+  }
+  mixture.soil.release_walls(mixture.water_mass());
+  now.first_storage = mixture.water.stored_water();
+  const std::size_t n = particles.x.size();
+  std::vector<double> wx(n), wy(n);
+  mixture.water.darcy_velocity(mixture.skeleton(), wx, wy);
+  for (std::size_t p = 0; p < n; ++p) {
+    const double saturated = input.soils[static_cast<std::size_t>(particles.soil[p])].seepage.hydraulic_conductivity;
+    now.result.initial_head_flux = std::max(now.result.initial_head_flux, std::hypot(wx[p], wy[p]) / saturated);
+  }
+  measure_pressure();
+  return true;
+}
+
+// The earliest time after the present one at which something is due.
+double Simulation::Run::next_stop() const {
+  double next = std::min(input.stop.time, clock.next_change(now.time + sliver * now.time_step));
+  next = std::min(next, history_time(history_rows));
+  next = std::min(next, conditions.next_change(now.time + sliver * now.time_step));
+  if (next_snapshot < snapshot_times.size()) next = std::min(next, snapshot_times[next_snapshot]);
+  if (now.result.onset_time) next = std::min(next, *now.result.onset_time + input.stop.after_onset);
+  return next;
+}
+
+// What went wrong, or nothing.
+std::optional<std::string> Simulation::Run::try_step(double share) {
+  const auto when = [this] { return "at t = " + std::to_string(now.time) + " s: "; };
+  try {
+    step(share);
+    return std::nullopt;
+  } catch (const solid::SolidError& error) {
+    return when() + "soil " + text_of(error);
+  } catch (const seepage::SeepageError& error) {
+    return when() + "pore water, " + error.what();
+  }
+}
+
+// To the start of a step that broke: to keep a copy of each step's would cost more than to take the steps again.
+void Simulation::Run::go_back() {
+  set_state(anchor->state);
+  for (; anchor->steps > 0; --anchor->steps) {
+    step(1.0);
+    take_due();
+  }
+  anchor->state = state();
+}
+
+void Simulation::Run::step_or_try_again() {
+  if (!anchor || anchor->steps >= steps_per_call) anchor = Anchor{state(), 0};
+  const auto what = try_step(1.0);
+  if (!what) {
+    ++anchor->steps;
+    return;
+  }
+  go_back();
+  for (const double share : shorter_steps) {
+    if (!try_step(share)) {
+      anchor.reset();
+      return;
+    }
+    set_state(anchor->state);
+  }
+  throw SimulationError(*what + "; shorter steps broke too");
+}
+
+// A step of a share of its length.
+void Simulation::Run::step(double share) {
+  const double next = next_stop();
+  const auto report =
+      std::visit(BySchemes{[&](SeepageScheme& water_alone) { return step_water(water_alone, next, share); },
+                           [&](auto& coupled) { return step_mixture(coupled, next, share * now.time_step); }},
+                 scheme);
+  ++now.steps;
+  now.pressure_iterations += static_cast<std::size_t>(report.iterations);
+  if (!report.converged) ++now.result.unsettled_steps;
+  observe_water();
+  observe_displacement();
+  check_end();
+}
+
+template <class Coupled>
+seepage::SolveReport Simulation::Run::step_mixture(Coupled& coupled, double next, double longest) {
+  const ClockControl::Pace pace = clock.pace(now.time, next, longest, conditions.prescribed_rate(now.time));
+  now.clock_factor = pace.factor;
+  if (pace.velocity_scale < 1.0) mixture.slow_down(pace.velocity_scale);
+  const double water_step = pace.factor * pace.time_step;
+  // the last step up to what is due ends there to the last digit
+  const double after = now.time + (1.0 + sliver) * water_step > next ? next : now.time + water_step;
+  conditions.apply(after, mixture, actions);
+  const auto report = coupled.step(mixture, actions, pace.time_step, pace.factor);
+  now.time = after;
+  now.latest_step = water_step;
+  const solid::Balance& balance = mixture.soil.balance();
+  clock.observe(pace.time_step, balance.unbalanced_force / balance.weight, mixture.water.pressure());
+  return report;
+}
+
+seepage::SolveReport Simulation::Run::step_water(SeepageScheme& seepage, double next, double share) {
+  for (;;) {
+    now.time_step = share * seepage.pace(now.time, next);
+    const double after = now.time + (1.0 + sliver) * now.time_step > next ? next : now.time + now.time_step;
+    conditions.apply(after, mixture, actions);
+    const auto report = seepage.step(mixture, actions, now.time_step, now.clock_factor);
+    if (!report.converged) continue;
+    now.time = after;
+    now.latest_step = now.time_step;
+    return report;
+  }
+}
+
+// Positions in the case's own coordinates.
+std::string Simulation::Run::text_of(const solid::SolidError& error) const {
+  const bool is_x = error.field.starts_with("x position");
+  if (!is_x && !error.field.starts_with("y position")) return error.what();
+  const Point place = frame.position({mixture.soil.particles().x[error.particle], error.value});
+  return solid::SolidError(error.particle, error.field, place[is_x ? 0 : 1]).what();
+}
+
+}  // namespace slope::couple
