@@ -30,6 +30,7 @@ class BoundaryConditions {
   void remember_pressures(std::span<const double> pressure) {
     first_pressure_.assign(pressure.begin(), pressure.end());
   }
+  [[nodiscard]] const std::vector<double>& first_pressure() const { return first_pressure_; }
   [[nodiscard]] BoundaryState state() const { return {first_pressure_, surface_.state()}; }
   void set_state(BoundaryState state);
 

@@ -248,7 +248,8 @@ Format<Clock> clock_format() {
                 "true: faster than real time while the soil is quiet; false: real time")
       .optional("unbalanced_limit", &Clock::unbalanced_limit, quantity(Dimension::number, above(0.0)),
                 "unbalanced forces over the weight above which the clock slows down, because the soil does not follow "
-                "the water")
+                "the water; once pore pressures have changed since the start by more than 1 % of the overburden in the "
+                "mean, it grows with their change")
       .optional("maximum_factor", &Clock::maximum_factor, quantity(Dimension::number, at_least(1.0)),
                 "largest clock factor")
       .format();

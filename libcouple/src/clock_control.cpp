@@ -13,7 +13,8 @@ constexpr double growth_time = 3.0;      // T in which the factor grows by e at 
 constexpr double shrinkage = 0.8;        // of the factor after a lively block
 constexpr double lively = 1.5;           // times what lets the factor grow, from which on it falls
 constexpr double calm_pressure = 0.005;  // change of a pressure in a block, over the overburden, that lets it grow
-constexpr double settling_time = 2.0;    // T that the soil gets to settle after a change of the boundary conditions
+constexpr double little_water = 0.01;  // change of the pore pressures, over the overburden, up to which the limit stays
+constexpr double settling_time = 2.0;  // T that the soil gets to settle after a change of the boundary conditions
 
 }  // namespace
 
@@ -52,7 +53,12 @@ void ClockControl::begin_block(std::span<const double> pressure) {
   state_.block_time = state_.block_unbalanced = 0.0;
 }
 
-void ClockControl::observe(double time_step, double unbalanced_ratio, std::span<const double> pressure) {
+double ClockControl::unbalanced_limit() const {
+  return limits_.unbalanced_limit * std::max(1.0, state_.water_change / little_water);
+}
+
+void ClockControl::observe(double time_step, double unbalanced_ratio, std::span<const double> first_pressure,
+                           std::span<const double> pressure) {
   if (!limits_.adaptive) return;
   if (state_.pressure.empty()) {
     begin_block(pressure);
@@ -61,14 +67,17 @@ void ClockControl::observe(double time_step, double unbalanced_ratio, std::span<
   state_.block_time += time_step;
   state_.block_unbalanced += unbalanced_ratio * time_step;
   if (state_.block_time < block_share * scale_.period()) return;
-  double pressure_change = 0.0;
+  double pressure_change = 0.0, since_start = 0.0;
   for (std::size_t p = 0; p < pressure.size(); ++p) {
     pressure_change = std::max(pressure_change, std::abs(pressure[p] - state_.pressure[p]));
+    since_start += std::abs(pressure[p] - first_pressure[p]);
   }
+  const double mean = since_start / static_cast<double>(pressure.size());
+  state_.water_change = std::max(state_.water_change, mean / scale_.overburden);
   const double unbalanced = state_.block_unbalanced / state_.block_time;
   if (state_.last_factor > 1.0) state_.largest_unbalanced_ratio = std::max(state_.largest_unbalanced_ratio, unbalanced);
   const double liveliness =
-      std::max(unbalanced / limits_.unbalanced_limit, pressure_change / (calm_pressure * scale_.overburden));
+      std::max(unbalanced / unbalanced_limit(), pressure_change / (calm_pressure * scale_.overburden));
   if (liveliness > lively) {
     state_.factor *= shrinkage;
   } else if (liveliness < 1.0) {

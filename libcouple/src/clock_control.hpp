@@ -20,7 +20,9 @@ struct SlopeScale {
 
 /// Chooses the clock factor Theta: how much faster than the soil's own time the water's time runs. Theta is the same as
 /// scaling the soil's mass by Theta^2 in physical time. Water that runs ahead of the soil leaves forces out of balance:
-/// the factor grows while these are small against the weight, and falls to one, real time, when they are not.
+/// the factor grows while these are small against the weight, and falls to one, real time, when they are not. What is
+/// small is a matter of what the water does: once pore pressures have changed by more than a hundredth of the
+/// overburden in the mean, the limit grows with their change.
 class ClockControl {
  public:
   using State = ClockState;
@@ -43,9 +45,13 @@ class ClockControl {
   /// which that is as calm as a pressure change may be that lets the factor grow.
   Pace pace(double time, double next, double time_step, double prescribed_rate = 0.0);
   /// Takes note of a step done; twenty times in the first period the factor is judged anew.
-  /// @param unbalanced_ratio  unbalanced forces over the weight (-) in the step
-  /// @param pressure  pore pressure of the particles after it (Pa)
-  void observe(double time_step, double unbalanced_ratio, std::span<const double> pressure);
+  /// @param unbalanced_ratio  unbalanced forces over the weight (-) in it
+  /// @param first_pressure  pore pressure of the particles at the start of the run (Pa)
+  /// @param pressure        after the step (Pa)
+  void observe(double time_step, double unbalanced_ratio, std::span<const double> first_pressure,
+               std::span<const double> pressure);
+  /// The unbalanced ratio that is allowed now (-).
+  [[nodiscard]] double unbalanced_limit() const;
   /// The largest unbalanced ratio that a judgement found while the water ran ahead of the soil (-).
   [[nodiscard]] double largest_unbalanced_ratio() const { return state_.largest_unbalanced_ratio; }
   /// The time of the next change of the boundary conditions after `time` (s).

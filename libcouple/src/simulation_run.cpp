@@ -262,7 +262,8 @@ seepage::SolveReport Simulation::Run::step_mixture(Coupled& coupled, double next
   now.time = after;
   now.latest_step = water_step;
   const solid::Balance& balance = mixture.soil.balance();
-  clock.observe(pace.time_step, balance.unbalanced_force / balance.weight, mixture.water.pressure());
+  clock.observe(pace.time_step, balance.unbalanced_force / balance.weight, conditions.first_pressure(),
+                mixture.water.pressure());
   return report;
 }
 

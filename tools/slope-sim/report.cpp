@@ -129,8 +129,10 @@ std::string report_text(const couple::Case& input, const couple::Summary& summar
     line("to the air", fmt::format("{:.4g} m3/m seeped out, {:.4g} m3/m evaporated", water.seepage, water.evaporation));
   }
   if (summary.largest_unbalanced_ratio > 0.0) {
-    line("clock", fmt::format("ahead of the soil with at most {:.2g} of the weight unbalanced (limit {:g})",
-                              summary.largest_unbalanced_ratio, input.clock.unbalanced_limit));
+    line("clock",
+         fmt::format("ahead of the soil with at most {:.2g} of the weight unbalanced (limit {:g} at the start, {:.2g} "
+                     "at the end)",
+                     summary.largest_unbalanced_ratio, input.clock.unbalanced_limit, summary.unbalanced_limit));
   }
   line("cost", fmt::format("{} particles, {} steps, {:.1f} s on {} thread{}", summary.particles, summary.steps,
                            record.wall_time, record.threads, record.threads == 1 ? "" : "s"));

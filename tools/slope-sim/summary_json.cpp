@@ -153,6 +153,7 @@ std::string summary_json(const couple::Case& input, const couple::Summary& summa
       .set("initial_head_flux", number(summary.initial_head_flux))
       .set("initial_unbalanced_ratio", number(summary.initial_unbalanced_ratio))
       .set("largest_unbalanced_ratio", number(summary.largest_unbalanced_ratio))
+      .set("unbalanced_limit", number(summary.unbalanced_limit))
       .set("particles", count(summary.particles))
       .set("steps", count(summary.steps))
       .set("mean_pressure_iterations", number(summary.mean_pressure_iterations))

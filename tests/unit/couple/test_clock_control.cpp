@@ -32,7 +32,7 @@ ClockControl::Pace run(ClockControl& clock, double time, double end, const Unbal
   ClockControl::Pace pace;
   for (; time < end * (1.0 - 1e-9); time += pace.factor * pace.time_step) {
     pace = clock.pace(time, end, 0.003);
-    clock.observe(pace.time_step, unbalanced(pace.factor), still);
+    clock.observe(pace.time_step, unbalanced(pace.factor), still, still);
   }
   return pace;
 }
@@ -67,6 +67,27 @@ TEST(ClockControl, KeepsUnbalancedForcesNearTheirLimit) {
     EXPECT_LT(unbalanced, 1.6 * limit);
     EXPECT_LT(clock.largest_unbalanced_ratio(), 1.7 * limit);
   }
+}
+
+// What may be out of balance is a share of what the water has done: twice the water, twice the limit.
+TEST(ClockControl, AllowsMoreAfterMoreWater) {
+  const std::vector<double> start{0.0, -1.0e4, 1.0e4, 0.0};
+  const auto limit_after = [&](std::vector<double> changes) {
+    ClockControl clock(Clock{}, scale, {0.0});
+    const auto observe = [&](std::span<const double> pressure) {
+      for (int k = 0; k < 20; ++k) clock.observe(0.003, 0.0, start, pressure);
+    };
+    observe(start);
+    for (std::size_t p = 0; p < start.size(); ++p) changes[p] = start[p] + changes[p] * scale.overburden;
+    observe(changes);
+    observe(start);
+    return clock.unbalanced_limit();
+  };
+  const double least = Clock{}.unbalanced_limit;
+  EXPECT_EQ(limit_after({0.0, 0.0, 0.0, 0.0}), least);
+  EXPECT_EQ(limit_after({0.009, -0.009, 0.009, -0.009}), least) << "a hundredth is little";
+  EXPECT_NEAR(limit_after({0.05, -0.05, 0.05, -0.05}), 5.0 * least, 1e-12) << "wetter or drier, then and after";
+  EXPECT_NEAR(limit_after({0.4, 0.0, 0.0, 0.0}), 10.0 * least, 1e-12) << "in the mean";
 }
 
 TEST(ClockControl, FallsToRealTimeWhenTheSoilLetsGo) {

@@ -184,8 +184,9 @@ struct Numerics {
 /// How much faster than the solid's own clock physical time may run.
 struct Clock {
   bool adaptive = true;              ///< false: real time throughout
-  double unbalanced_limit = 1.0e-5;  ///< unbalanced forces over the weight (-), > 0, above which the clock slows down:
-                                     ///< below it the factor grows, above 1.5 times it the factor falls
+  double unbalanced_limit = 1.0e-5;  ///< unbalanced forces over the weight (-), > 0: below it the factor grows, above
+                                     ///< 1.5 times it the factor falls. It grows with the change of the pore pressures
+                                     ///< since the start once that is, in the mean, above 1 % of the overburden
   double maximum_factor = 1.0e9;     ///< largest factor (-), >= 1
 };
 

@@ -46,6 +46,7 @@ struct ClockState {
   double block_time = 0.0;                ///< since the latest judgement, of the soil's own time (s)
   double block_unbalanced = 0.0;          ///< unbalanced ratio times time (s)
   std::vector<double> pressure;           ///< at the start of the block (Pa)
+  double water_change = 0.0;              ///< mean change of pore pressures, over the overburden: largest so far (-)
   double largest_unbalanced_ratio = 0.0;  ///< that a judgement found while the water ran ahead of the soil (-)
 
   template <class Self, class Visit>
@@ -53,6 +54,7 @@ struct ClockState {
     visit("factor", s.factor), visit("last_factor", s.last_factor);
     visit("block_time", s.block_time), visit("block_unbalanced", s.block_unbalanced);
     visit("pressure", s.pressure);
+    visit("water_change", s.water_change);
     visit("largest_unbalanced_ratio", s.largest_unbalanced_ratio);
   }
   bool operator==(const ClockState&) const = default;

@@ -136,6 +136,7 @@ struct Summary {
   double initial_head_flux = 0.0;         ///< largest Darcy flux of the head operator before the rain, over k (-)
   double initial_unbalanced_ratio = 0.0;  ///< unbalanced over gravity forces left by the initial state (-)
   double largest_unbalanced_ratio = 0.0;  ///< unbalanced forces over the weight while the water's time ran ahead (-)
+  double unbalanced_limit = 0.0;          ///< what of it the clock allows by now (-)
   std::size_t particles = 0;
   std::size_t steps = 0;
   double mean_pressure_iterations = 0.0;
@@ -164,6 +165,7 @@ struct Summary {
     visit("initial_head_flux", s.initial_head_flux);
     visit("initial_unbalanced_ratio", s.initial_unbalanced_ratio);
     visit("largest_unbalanced_ratio", s.largest_unbalanced_ratio);
+    visit("unbalanced_limit", s.unbalanced_limit);
     visit("particles", s.particles);
     visit("steps", s.steps);
     visit("mean_pressure_iterations", s.mean_pressure_iterations);
