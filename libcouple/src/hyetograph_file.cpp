@@ -7,9 +7,9 @@
 #include <cctype>
 #include <cmath>
 #include <optional>
-#include <sstream>
 #include <string_view>
 
+#include "slope/couple/csv_rows.hpp"
 #include "slope/couple/text_file.hpp"
 #include "units.hpp"
 
@@ -27,19 +27,6 @@ constexpr std::size_t most_bytes = 100'000'000;
 constexpr std::string_view expected_header =
     "expected a header such as \"time_h,intensity_mm_per_h\" (time in s, min, h or d; intensity in mm or m per s, h or "
     "d)";
-
-std::string_view trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(" \t\r");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
-
-/// The two cells of a line; none if it has another number of them.
-std::optional<std::array<std::string_view, 2>> cells_of(std::string_view line) {
-  const auto comma = line.find(',');
-  if (comma == std::string_view::npos || line.find(',', comma + 1) != std::string_view::npos) return std::nullopt;
-  return std::array{trimmed(line.substr(0, comma)), trimmed(line.substr(comma + 1))};
-}
 
 std::optional<double> value_of(std::string_view number, const std::string& unit, Dimension dimension) {
   const auto value = parse_quantity(fmt::format("{} {}", number, unit), dimension);
@@ -117,39 +104,39 @@ std::variant<RainTable, std::string> read_hyetograph(const std::filesystem::path
   std::error_code error;
   if (!std::filesystem::exists(file, error))
     return fmt::format("the file {} cannot be read; the path counts from the case's folder", file.string());
-  std::istringstream stream(read_text_file(file, most_bytes));
   RainTable table;
   std::vector<int> lines;  // of the steps
   std::optional<std::string> time_unit, intensity_unit;
-  std::string line;
-  for (int row = 1; std::getline(stream, line); ++row) {
-    if (trimmed(line).empty() || line.front() == '#') continue;
-    const auto wrong = [&](std::string_view what) { return fmt::format("{}:{}: {}", file.string(), row, what); };
-    const auto cells = cells_of(line);
+  for (CsvRows rows(read_text_file(file, most_bytes)); rows.next();) {
+    if (rows.is_comment()) continue;
+    const auto wrong = [&](std::string_view what) {
+      return fmt::format("{}:{}: {}", file.string(), rows.line(), what);
+    };
+    const std::vector<std::string>& cells = rows.cells();
+    const bool is_pair = cells.size() == 2;
     const auto unlike = [&](std::string_view expected) {
       return wrong(fmt::format("{}, columns parted by a comma, decimals by a point; got \"{}\"", expected,
-                               shortened(trimmed(line))));
+                               shortened(rows.text())));
     };
     if (!time_unit) {
-      if (!cells) return unlike(expected_header);
-      time_unit = unit_of((*cells)[0], "time_", Dimension::time);
-      intensity_unit = unit_of((*cells)[1], "intensity_", Dimension::velocity);
+      if (!is_pair) return unlike(expected_header);
+      time_unit = unit_of(cells[0], "time_", Dimension::time);
+      intensity_unit = unit_of(cells[1], "intensity_", Dimension::velocity);
       if (!time_unit || !intensity_unit) return unlike(expected_header);
       continue;
     }
-    if (cells && is_missing((*cells)[1])) {
-      return wrong(
-          fmt::format("\"{}\" stands for a missing value; write what fell then, 0 if nothing did", (*cells)[1]));
+    if (is_pair && is_missing(cells[1])) {
+      return wrong(fmt::format("\"{}\" stands for a missing value; write what fell then, 0 if nothing did", cells[1]));
     }
-    const auto time = cells ? value_of((*cells)[0], *time_unit, Dimension::time) : std::nullopt;
-    const auto intensity = cells ? value_of((*cells)[1], *intensity_unit, Dimension::velocity) : std::nullopt;
+    const auto time = is_pair ? value_of(cells[0], *time_unit, Dimension::time) : std::nullopt;
+    const auto intensity = is_pair ? value_of(cells[1], *intensity_unit, Dimension::velocity) : std::nullopt;
     if (!time || !intensity) return unlike("expected two numbers, a time and the intensity from then on");
     table.steps.push_back({*time, *intensity});
-    lines.push_back(row);
+    lines.push_back(rows.line());
     if (lines.size() > 1 && table.steps.back().time <= table.steps[lines.size() - 2].time) {
       return wrong("times must grow from row to row");
     }
-    if (const auto doubt = doubt_about(*intensity)) table.warnings.push_back({row, *doubt});
+    if (const auto doubt = doubt_about(*intensity)) table.warnings.push_back({rows.line(), *doubt});
   }
   if (table.steps.empty()) return fmt::format("{}: holds no row; {}", file.string(), expected_header);
   find_gaps(table, lines);

@@ -6,9 +6,9 @@
 #include <array>
 #include <filesystem>
 #include <optional>
-#include <sstream>
 #include <string_view>
 
+#include "slope/couple/csv_rows.hpp"
 #include "slope/couple/text_file.hpp"
 #include "suggestion.hpp"
 #include "units.hpp"
@@ -18,22 +18,6 @@ namespace slope::couple {
 namespace {
 
 constexpr std::size_t most_bytes = 100'000'000;
-
-std::string_view trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(" \t\r\"");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t\r\"") - first + 1);
-}
-
-std::vector<std::string> cells_of(std::string_view line) {
-  std::vector<std::string> cells;
-  for (std::size_t begin = 0; begin <= line.size();) {
-    const std::size_t comma = std::min(line.find(',', begin), line.size());
-    cells.emplace_back(trimmed(line.substr(begin, comma - begin)));
-    begin = comma + 1;
-  }
-  return cells;
-}
 
 /// The unit of length at the end of a column's name, as in "x_m" or "x [m]"; none if there is none.
 std::optional<std::string> unit_of(const std::string& column) {
@@ -48,23 +32,22 @@ std::optional<std::string> unit_of(const std::string& column) {
   return std::string(unit);
 }
 
-/// A table being read line by line.
+/// A table being read row by row.
 class Table {
  public:
-  Table(const Input& place, const ProfileText& profile, std::string file, const std::string& content)
-      : place_(place), profile_(profile), file_(std::move(file)), stream_(content) {}
+  Table(const Input& place, const ProfileText& profile, std::string file, std::string content)
+      : place_(place), profile_(profile), file_(std::move(file)), rows_(std::move(content)) {}
 
   std::vector<Point> read() {
     const std::size_t before = place_.problem_count();
     std::vector<Point> points;
-    std::string line;
     bool header_read = false;
-    for (int number = 1; std::getline(stream_, line); ++number) {
-      if (trimmed(line).empty() || line.front() == '#') continue;
+    while (rows_.next()) {
+      if (rows_.is_comment()) continue;
       if (!header_read) {
-        if (!read_header(cells_of(line), number)) return {};
+        if (!read_header(rows_.cells(), rows_.line())) return {};
         header_read = true;
-      } else if (!read_point(cells_of(line), number, points)) {
+      } else if (!read_point(rows_.cells(), rows_.line(), points)) {
         return {};
       }
     }
@@ -129,7 +112,7 @@ class Table {
   const Input& place_;
   const ProfileText& profile_;
   std::string file_;
-  std::istringstream stream_;
+  CsvRows rows_;
   std::size_t columns_ = 0;
   std::array<std::size_t, 2> column_{};
   std::array<std::string, 2> unit_;

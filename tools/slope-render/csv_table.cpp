@@ -5,9 +5,9 @@
 #include <charconv>
 #include <cstdlib>
 #include <optional>
-#include <sstream>
 #include <string_view>
 
+#include "slope/couple/csv_rows.hpp"
 #include "slope/couple/read_case.hpp"
 #include "slope/couple/text_file.hpp"
 
@@ -15,25 +15,6 @@ namespace slope::tools {
 namespace {
 
 constexpr std::size_t most_bytes = std::size_t{1} << 30U;  // a run writes a million rows at most
-
-std::string_view trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(" \t\r#\"");
-  if (first == std::string_view::npos) {
-    return {};
-  }
-  return text.substr(first, text.find_last_not_of(" \t\r\"") - first + 1);
-}
-
-std::vector<std::string_view> split(std::string_view line) {
-  std::vector<std::string_view> cells;
-  std::size_t begin = 0;
-  for (std::size_t comma = line.find(','); comma != std::string_view::npos; comma = line.find(',', begin)) {
-    cells.push_back(trimmed(line.substr(begin, comma - begin)));
-    begin = comma + 1;
-  }
-  cells.push_back(trimmed(line.substr(begin)));
-  return cells;
-}
 
 std::optional<double> number(std::string_view text) {
   double value = 0.0;
@@ -48,37 +29,32 @@ std::optional<double> number(std::string_view text) {
 }  // namespace
 
 CsvTable read_csv(const std::filesystem::path& file) {
-  std::istringstream in(couple::read_text_file(file, most_bytes));
   CsvTable table;
   bool header_read = false;
-  std::string line;
-  for (int line_number = 1; std::getline(in, line); ++line_number) {
-    if (trimmed(line).empty()) {
-      continue;
-    }
-    const auto cells = split(line);
-    if (line.front() == '#' && header_read) {
+  for (couple::CsvRows rows(couple::read_text_file(file, most_bytes)); rows.next();) {
+    const auto& cells = rows.cells();
+    if (rows.is_comment() && header_read) {
       continue;
     }
     if (!header_read && !number(cells.front())) {
-      table.names.assign(cells.begin(), cells.end());
-      header_read = line.front() != '#';
+      table.names = cells;
+      header_read = !rows.is_comment();
       continue;
     }
     header_read = true;
     table.columns.resize(table.names.size());
     if (cells.size() != table.names.size()) {
-      if (in.peek() == std::istringstream::traits_type::eof()) {
+      if (rows.is_last()) {
         break;
       }
-      throw couple::FileError(fmt::format("{}:{}: has {} columns where the header has {}", file.string(), line_number,
+      throw couple::FileError(fmt::format("{}:{}: has {} columns where the header has {}", file.string(), rows.line(),
                                           cells.size(), table.names.size()));
     }
     for (std::size_t c = 0; c < cells.size(); ++c) {
       const auto value = number(cells[c]);
       if (!value) {
         throw couple::FileError(
-            fmt::format("{}:{}: \"{}\" is not a number", file.string(), line_number, couple::shortened(cells[c])));
+            fmt::format("{}:{}: \"{}\" is not a number", file.string(), rows.line(), couple::shortened(cells[c])));
       }
       table.columns[c].push_back(*value);
     }
