@@ -37,7 +37,7 @@ target_compile_definitions(slope_compile_options INTERFACE $<$<CONFIG:Debug>:EIG
 function(slope_library)
   cmake_parse_arguments(ARG "" "NAME" "DEPENDS;PRIVATE_DEPENDS" ${ARGN})
   set(target slope_${ARG_NAME})
-  file(GLOB sources CONFIGURE_DEPENDS src/*.cpp)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS src/*.cpp)
   file(GLOB_RECURSE headers CONFIGURE_DEPENDS include/*.hpp)
   add_library(${target} ${sources})
   add_library(slope::${ARG_NAME} ALIAS ${target})

@@ -1,10 +1,10 @@
 #include <string>
 
+#include "case/hyetograph_file.hpp"
+#include "case/input.hpp"
+#include "case/profile.hpp"
 #include "csv_table.hpp"
 #include "fuzz_folder.hpp"
-#include "hyetograph_file.hpp"
-#include "input.hpp"
-#include "profile.hpp"
 #include "xml_tags.hpp"
 
 // The readers of tables: rain, surfaces, histories and references, and the tags of particle files. Whatever they are

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "boundary_conditions.hpp"
+#include "case/initial_values.hpp"
 #include "case_folder.hpp"
-#include "initial_state.hpp"
+#include "run/boundary_conditions.hpp"
 #include "slope/couple/read_case.hpp"
 
 namespace slope::couple::test {

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <functional>
 
+#include "case/initial_values.hpp"
+#include "case/polygon.hpp"
+#include "case/profile.hpp"
 #include "case_folder.hpp"
-#include "initial_state.hpp"
-#include "polygon.hpp"
-#include "profile.hpp"
 #include "slope/couple/read_case.hpp"
 
 namespace slope::couple::test {

@@ -4,8 +4,8 @@
 #include <functional>
 #include <set>
 
+#include "case/input.hpp"
 #include "case_folder.hpp"
-#include "input.hpp"
 #include "schema_checker.hpp"
 #include "slope/couple/read_case.hpp"
 

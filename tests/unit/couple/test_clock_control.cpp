@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "clock_control.hpp"
+#include "run/clock_control.hpp"
 
 namespace slope::couple {
 namespace {

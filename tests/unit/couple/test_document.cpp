@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "input.hpp"
+#include "case/input.hpp"
 #include "slope/couple/document.hpp"
 
 namespace slope::couple {

@@ -8,9 +8,9 @@
 #include <map>
 #include <numbers>
 
+#include "case/frame.hpp"
+#include "case/polygon.hpp"
 #include "case_folder.hpp"
-#include "frame.hpp"
-#include "polygon.hpp"
 #include "slope/couple/geometry.hpp"
 #include "slope/couple/read_case.hpp"
 #include "slope/couple/simulation.hpp"

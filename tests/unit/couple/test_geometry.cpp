@@ -6,9 +6,9 @@
 #include <numeric>
 #include <random>
 
+#include "case/cell_cut.hpp"
+#include "case/polygon.hpp"
 #include "case_folder.hpp"
-#include "cell_cut.hpp"
-#include "polygon.hpp"
 #include "slope/couple/geometry.hpp"
 #include "slope/couple/read_case.hpp"
 

@@ -4,8 +4,8 @@
 #include <functional>
 #include <optional>
 
-#include "onset.hpp"
-#include "rest.hpp"
+#include "run/onset.hpp"
+#include "run/rest.hpp"
 
 namespace slope::couple {
 namespace {

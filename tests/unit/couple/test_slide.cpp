@@ -4,7 +4,7 @@
 #include <cmath>
 #include <functional>
 
-#include "slide.hpp"
+#include "run/slide.hpp"
 
 namespace slope::couple {
 namespace {

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "standing_water_share.hpp"
+#include "case/standing_water_share.hpp"
 
 namespace slope::couple {
 namespace {

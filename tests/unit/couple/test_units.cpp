@@ -6,7 +6,7 @@
 #include <random>
 #include <regex>
 
-#include "units.hpp"
+#include "case/units.hpp"
 
 namespace slope::couple {
 namespace {

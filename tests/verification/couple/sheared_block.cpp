@@ -8,8 +8,8 @@
 #include <numbers>
 
 #include "block.hpp"
-#include "mixture.hpp"
-#include "semi_implicit_scheme.hpp"
+#include "run/mixture.hpp"
+#include "run/semi_implicit_scheme.hpp"
 #include "slope/testing/record.hpp"
 
 namespace slope::testing {

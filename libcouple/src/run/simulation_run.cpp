@@ -5,6 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "case/initial_values.hpp"
 #include "initial_state.hpp"
 #include "slope/couple/read_case.hpp"
 

@@ -4,12 +4,12 @@
 #include <vector>
 
 #include "actions.hpp"
+#include "case/standing_water_share.hpp"
 #include "mixture.hpp"
 #include "slope/couple/case.hpp"
 #include "slope/couple/geometry.hpp"
 #include "slope/couple/state.hpp"
 #include "slope/seepage/free_surface.hpp"
-#include "standing_water_share.hpp"
 
 namespace slope::couple {
 

@@ -143,35 +143,6 @@ Point Frame::position(const Point& in_frame) const {
   return {origin_[0] + (mirrored_ ? width_ - in_frame[0] : in_frame[0]), height(in_frame[1])};
 }
 
-void Frame::turn_back(ParticleTable& table) const {
-  for (Point& point : table.position) point = position(point);
-  if (!mirrored_) return;
-  for (auto* vectors : {&table.displacement, &table.velocity, &table.darcy_velocity}) {
-    for (Point& vector : *vectors) negate(vector[0]);
-  }
-  for (auto* tensors : {&table.stress_effective, &table.strain}) {
-    for (PlaneTensor& tensor : *tensors) negate(tensor.xy);
-  }
-}
-
-void Frame::turn_back(Summary& summary) const {
-  const auto lift = [this](FailureZone& zone) {
-    if (zone.area == 0.0) return;
-    zone.lowest = height(zone.lowest);
-    zone.highest = height(zone.highest);
-  };
-  const auto turn = [this](Slide& slide) {
-    if (mirrored_) slide.direction = -slide.direction;
-    if (slide.toe) slide.toe = position(*slide.toe);
-  };
-  if (summary.onset_time) summary.onset_position = position(summary.onset_position);
-  if (summary.zone_at_onset) lift(*summary.zone_at_onset);
-  if (summary.zone_at_10_cm) lift(*summary.zone_at_10_cm);
-  lift(summary.zone_at_end);
-  if (summary.slide_at_10_cm) turn(*summary.slide_at_10_cm);
-  turn(summary.slide_at_end);
-}
-
 void Frame::turn_back(InitialParticles& particles) const {
   for (std::size_t p = 0; p < particles.x.size(); ++p) {
     const Point point = position({particles.x[p], particles.y[p]});

@@ -15,9 +15,6 @@ namespace slope::couple {
 /// Unbalanced over gravity forces, left by the search for the initial stress, above which the slope does not stand (-).
 inline constexpr double unbalanced_limit = 1.0e-4;
 
-/// Pore pressure of each particle before anything flows (Pa).
-[[nodiscard]] std::vector<double> initial_pressure(const Case& input, const InitialParticles& particles);
-
 /// Lets the water flow in the unmoved soil until it is steady under the conditions that hold before the start.
 /// @param go_on  is asked after each step. @return whether it got to the end
 /// @throws SimulationError if it does not come to rest; it names the particle that changes most
@@ -42,10 +39,5 @@ inline constexpr double unbalanced_limit = 1.0e-4;
 /// had grown slowly. Soil that it moves has the stress of its steady motion. @return false if it was not to go on
 [[nodiscard]] bool add_standing_acceleration(Mixture& mixture, Actions actions, std::array<double, 2> acceleration,
                                              const SlopeScale& scale, double time_step, const InitialObserver& go_on);
-
-/// phi' at zero suction (rad); none if the strength has no friction.
-[[nodiscard]] std::optional<double> friction_angle_of(const solid::Strength& strength);
-/// Horizontal over vertical effective stress of each soil (-): the case's, or 1 - sin(phi') (Jaky 1944).
-[[nodiscard]] std::vector<double> k0_of_soils(const Case& input);
 
 }  // namespace slope::couple

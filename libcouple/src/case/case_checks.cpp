@@ -9,7 +9,7 @@
 #include "case_format.hpp"
 #include "frame.hpp"
 #include "hyetograph_file.hpp"
-#include "initial_state.hpp"
+#include "initial_values.hpp"
 #include "polygon.hpp"
 #include "slope/couple/geometry.hpp"
 #include "slope/couple/text_file.hpp"

@@ -4,7 +4,6 @@
 
 #include "slope/couple/case.hpp"
 #include "slope/couple/geometry.hpp"
-#include "slope/couple/simulation.hpp"
 
 namespace slope::couple {
 
@@ -27,9 +26,7 @@ class Frame {
   // From the frame to the coordinates of the case.
   [[nodiscard]] Point position(const Point& in_frame) const;
   [[nodiscard]] double height(double in_frame) const { return origin_[1] + in_frame; }
-  /// Positions, directions and shear of all particles, whose order stays.
-  void turn_back(ParticleTable& table) const;
-  void turn_back(Summary& summary) const;
+  /// Positions of all particles, whose order stays.
   void turn_back(InitialParticles& particles) const;
 
  private:

@@ -6,9 +6,9 @@
 
 #include "actions.hpp"
 #include "boundary_conditions.hpp"
+#include "case/frame.hpp"
 #include "clock_control.hpp"
 #include "failure.hpp"
-#include "frame.hpp"
 #include "mixture.hpp"
 #include "onset.hpp"
 #include "rest.hpp"

@@ -5,6 +5,7 @@
 
 #include "simulation_run.hpp"
 #include "slope/solid/tensor.hpp"
+#include "turn_back.hpp"
 
 namespace slope::couple {
 
@@ -104,7 +105,7 @@ ParticleTable Simulation::particles() const {
   table.porosity = soil.porosity;
   table.volume = soil.volume;
   table.soil = s.particles.soil;
-  s.frame.turn_back(table);
+  turn_back(s.frame, table);
   return table;
 }
 
@@ -169,7 +170,7 @@ Summary Simulation::summary() const {
   summary.verdict = s.verdict();
   summary.zone_at_end = s.zone();
   summary.slide_at_end = s.slide();
-  s.frame.turn_back(summary);
+  turn_back(s.frame, summary);
   summary.largest_displacement = s.now.largest_displacement;
   summary.steps = s.now.steps;
   summary.mean_pressure_iterations =
