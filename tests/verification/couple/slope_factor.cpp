@@ -65,7 +65,8 @@ std::vector<std::string> undrained_strength_over(double factor) {
 }
 
 TEST(SlopeFactor, OfUndrainedSoilIsThatOfLimitAnalysis) {
-  check("slope-factor-2", "The same slope of undrained clay, factor over the mean of its bounds by limit analysis",
+  check("slope-factor-2",
+        "Slope 1:1.5 of undrained clay, factor of safety over the mean of its bounds by limit analysis",
         undrained_strength_over, 0.5 * (lower_bound + upper_bound));
 }
 
