@@ -393,7 +393,40 @@ TEST_F(SlopeSim, ProfileRefusesWhatIsNoGroundSurface) {
   EXPECT_EQ(errors(poly_lines({"0 0 0", "2 0 0", "1 1 0", "3 1 0"}, {{0, 1, 2, 3}})),
             file + ": the poly-line turns back at x = 1 m; a ground surface has no overhang\n");
   EXPECT_EQ(errors("x_m,y_m\n0,1\n"), file + ": is not a VTK PolyData file (.vtp)\n");
+  EXPECT_EQ(errors(""), file + ": is not a VTK PolyData file (.vtp)\n");
   EXPECT_EQ(call({"profile", scratch_ / "none.vtp", "-o", scratch_ / "ground.csv"}).exit_code, 4);
+}
+
+// VTK takes a file by its word: points that are not there were read from beyond the array (a segmentation fault), and
+// sizes that no ground surface has were asked for.
+TEST_F(SlopeSim, ProfileRefusesDamagedFiles) {
+  const std::vector<std::string> points{"0 0 0", "1 1 0", "2 2 0"};
+  const auto told = [&](const std::string& content) {
+    const Outcome outcome = call({"profile", write("ground.vtp", content), "-o", scratch_ / "ground.csv"});
+    EXPECT_EQ(outcome.exit_code, 2) << outcome.errors;
+    EXPECT_FALSE(fs::exists(scratch_ / "ground.csv"));
+    const std::string file = (scratch_ / "ground.vtp").string() + ": ";
+    return outcome.errors.starts_with(file) ? outcome.errors.substr(file.size()) : outcome.errors;
+  };
+  const auto with = [&](const std::string& from, const std::string& to) {
+    std::string content = poly_lines(points, {{0, 1, 2}});
+    const std::size_t at = content.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    return told(content.replace(at, from.size(), to));
+  };
+  EXPECT_EQ(told(poly_lines(points, {{0, 1, 7}})), "its line goes through point 7 of 3\n");
+  EXPECT_EQ(told(poly_lines(points, {{0, 1, 1'000'000'000}})), "its line goes through point 1000000000 of 3\n");
+  EXPECT_EQ(told(poly_lines(points, {{0, -5, 2}})), "its line goes through point -5 of 3\n");
+  EXPECT_EQ(told(poly_lines({"0 0 0", "1 inf 0", "2 2 0"}, {{0, 1, 2}})), "its point 1 lies at x = 1 m, y = inf m\n");
+  EXPECT_EQ(with("NumberOfPoints=\"3\"", "NumberOfPoints=\"1000000000000\""),
+            "has NumberOfPoints=\"1000000000000\"; from 0 to 1000000 can be read\n");
+  EXPECT_EQ(with("NumberOfLines=\"1\"", "NumberOfLines=\"-1\""),
+            "has NumberOfLines=\"-1\"; from 0 to 1000000 can be read\n");
+  for (const std::string components : {"1000000000", "-3"}) {
+    EXPECT_EQ(with("NumberOfComponents=\"3\"", "NumberOfComponents=\"" + components + "\""),
+              "has NumberOfComponents=\"" + components + "\"; from 0 to 9 can be read\n");
+  }
+  for (const std::string offset : {"30000000 ", "-3 "}) (void)with(">3 <", ">" + offset + "<");
 }
 
 TEST_F(SlopeSim, SchemaAndVersionArePrinted) {
