@@ -14,6 +14,11 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
 
+std::string_view without_hashes(std::string_view comment) {
+  const auto first = comment.find_first_not_of("# \t");
+  return first == std::string_view::npos ? std::string_view{} : comment.substr(first);
+}
+
 }  // namespace
 
 bool CsvRows::next() {
@@ -22,10 +27,11 @@ bool CsvRows::next() {
     const std::string_view whole = std::string_view(text_).substr(next_, end - next_);
     next_ = end + 1;
     ++line_;
+    is_comment_ = whole.starts_with('#');
     row_ = trimmed(whole);
-    if (row_.empty()) continue;
-    is_comment_ = whole.front() == '#';
-    split(is_comment_ ? trimmed(row_.substr(1)) : row_);
+    const std::string_view content = is_comment_ ? without_hashes(row_) : row_;
+    if (content.empty()) continue;
+    split(content);
     return true;
   }
   return false;

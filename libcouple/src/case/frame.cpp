@@ -25,10 +25,6 @@ Place mirrored(Place place) {
   return place;
 }
 
-void negate(double& value) {
-  value = 0.0 - value;  // zero stays positive
-}
-
 std::vector<std::vector<Point>> outlines_of(const Case& input) {
   std::vector<std::vector<Point>> outlines;
   for (const Region& region : input.regions) outlines.push_back(region.polygon);

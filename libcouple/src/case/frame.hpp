@@ -7,6 +7,11 @@
 
 namespace slope::couple {
 
+/// Turns a component to its mirror image.
+inline void negate(double& value) {
+  value = 0.0 - value;  // zero stays positive
+}
+
 /// The coordinates in which a case is computed, so that neither its place nor its direction decides anything: copies of
 /// a case that were moved or turned to their mirror image give the same numbers, to the last bit.
 ///

@@ -119,7 +119,8 @@ Checkpoint checkpoint_of(std::string_view bytes, const std::string& name) {
     for_each_field_of(checkpoint, [&](const char* field_name, auto& field) { reader.get_field(field_name, field); });
     if (!reader.at_end()) throw std::runtime_error("it holds more than it should");
   } catch (const std::runtime_error& error) {
-    refuse(std::string("cannot be read: ") + error.what());
+    // its checksum fits, so it is what was written, by a program that has other fields
+    refuse(fmt::format("is of another version of slope-sim ({}); go on with the one that wrote it", error.what()));
   }
   return checkpoint;
 }

@@ -2,14 +2,6 @@
 
 namespace slope::couple {
 
-namespace {
-
-void negate(double& value) {
-  value = 0.0 - value;  // zero stays positive
-}
-
-}  // namespace
-
 void turn_back(const Frame& frame, ParticleTable& table) {
   for (Point& point : table.position) point = frame.position(point);
   if (!frame.is_mirrored()) return;
