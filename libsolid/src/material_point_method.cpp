@@ -59,6 +59,12 @@ MaterialPointMethod::MaterialPointMethod(const Grid& grid, std::vector<Soil> soi
   cell_particles_.resize(n);
   velocity_gradient_.resize(n);
   mass_.resize(n);
+  const auto material_dilates = [](const Material& material) { return material.dilates; };
+  shares_dilation_ = settings_.averages_pressure && std::any_of(materials_.begin(), materials_.end(), material_dilates);
+  if (shares_dilation_) {
+    trial_stress_.resize(n);
+    dilation_.resize(n);
+  }
   cell_start_.resize(grid_.cell_count() + 1);
   node_.resize(grid_.node_count());
   hat_at_.resize(grid_.node_count());

@@ -83,8 +83,8 @@ void MaterialPointMethod::find_hats() {
   }
 }
 
-// D^T V Pi q: the force on the nodes of the projection Pi q of a pressure.
-void MaterialPointMethod::find_pressure_force(std::span<const double> q) const {
+// hat_value_ = N^T V q.
+void MaterialPointMethod::sum_over_hats(std::span<const double> q) const {
   const std::size_t columns = std::size_t(grid_.node_columns());
   std::fill(hat_value_.begin(), hat_value_.end(), 0.0);
   for_each_cell([&](std::size_t c) {
@@ -100,6 +100,12 @@ void MaterialPointMethod::find_pressure_force(std::span<const double> q) const {
       upper[1] += n[3] * vq;
     }
   });
+}
+
+// D^T V Pi q: the force on the nodes of the projection Pi q of a pressure.
+void MaterialPointMethod::find_pressure_force(std::span<const double> q) const {
+  sum_over_hats(q);
+  const std::size_t columns = std::size_t(grid_.node_columns());
   std::fill(pressure_force_.begin(), pressure_force_.end(), Eigen::Array2d::Zero());
   for_each_in_bands(hat_bands_, [&](std::size_t k) {
     const Hat& hat = hats_[k];

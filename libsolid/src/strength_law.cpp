@@ -32,4 +32,13 @@ StrengthLaw make_strength_law(const Strength& strength, double cell_size) {
       strength);
 }
 
+bool dilates(const Strength& strength) {
+  return std::visit(
+      [](const auto& peak) {
+        if constexpr (requires { peak.dilatancy_angle; }) return peak.dilatancy_angle > 0.0;
+        return false;
+      },
+      strength);
+}
+
 }  // namespace slope::solid

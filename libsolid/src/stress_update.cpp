@@ -19,6 +19,35 @@ struct Yielding {
   }
 };
 
+// What the plastic flow of whichever law it is does to the volume at a trial stress (-).
+struct Dilating {
+  double suction, plastic_strain;
+  const Elastic& elastic;
+  SymmetricTensor trial;
+
+  double operator()(const NoYield& /*none*/) const { return 0.0; }
+  template <class Law>
+  double operator()(const Law& law) const {
+    SymmetricTensor stress = trial;
+    return_to_yield_surface(law.at(suction, plastic_strain), elastic, stress);
+    return (trace(trial) - trace(stress)) / (3.0 * elastic.bulk_modulus());
+  }
+};
+
+// Brings a stress to the yield surface when the volume change of the plastic flow is in it already; whether the soil
+// yields.
+struct Shearing {
+  double suction, plastic_strain;
+  const Elastic& elastic;
+  SymmetricTensor& stress;
+
+  bool operator()(const NoYield& /*none*/) const { return false; }
+  template <class Law>
+  bool operator()(const Law& law) const {
+    return return_to_yield_surface(law.at(suction, plastic_strain).isochoric(), elastic, stress) != Return::elastic;
+  }
+};
+
 // sqrt(2/3 de:de) of the plastic strain increment that took the deviator from the trial stress to the stress.
 double plastic_increment(const SymmetricTensor& trial, const SymmetricTensor& stress, double shear) {
   const SymmetricTensor lost{trial.xx - stress.xx, trial.yy - stress.yy, trial.zz - stress.zz, trial.xy - stress.xy};
@@ -30,11 +59,23 @@ double plastic_increment(const SymmetricTensor& trial, const SymmetricTensor& st
 MaterialPointMethod::Material::Material(const Soil& soil, double cell_size)
     : elastic(soil.elastic),
       shear(soil.elastic.shear_modulus()),
+      bulk(soil.elastic.bulk_modulus()),
       lame(soil.elastic.bulk_modulus() - 2.0 / 3.0 * soil.elastic.shear_modulus()),
+      dilates(solid::dilates(soil.strength)),
       strength(make_strength_law(soil.strength, cell_size)) {}
 
 void MaterialPointMethod::update_stress(double dt, std::span<const double> suction, const StepMode& mode) {
   if (settings_.averages_pressure) find_hat_divergence(velocity_);
+  if (shares_dilation_ && mode.yields) {
+    strain_particles<true>(dt, suction, mode);
+    yield_with_shared_dilation(suction, mode);
+  } else {
+    strain_particles<false>(dt, suction, mode);
+  }
+}
+
+template <bool shares_dilation>
+void MaterialPointMethod::strain_particles(double dt, std::span<const double> suction, const StepMode& mode) {
 #pragma omp parallel for schedule(static) num_threads(settings_.threads) if (settings_.threads > 1)
   for (std::size_t p = 0; p < state_.particles.size(); ++p) {
     const Material& material = materials_[state_.particles.soil[p]];
@@ -63,6 +104,16 @@ void MaterialPointMethod::update_stress(double dt, std::span<const double> sucti
     SymmetricTensor stress{sxx + 2.0 * spin * sxy + volumetric + stretch_x,
                            syy - 2.0 * spin * sxy + volumetric + stretch_y, state_.particles.szz[p] + volumetric,
                            sxy + spin * (syy - sxx) + 2.0 * material.shear * dxy};
+    if constexpr (shares_dilation) {
+      trial_stress_[p] = stress;
+      dilation_[p] = 0.0;
+      if (material.dilates) {
+        const Dilating dilating{suction.empty() ? 0.0 : suction[p], state_.particles.plastic_strain[p],
+                                material.elastic, stress};
+        dilation_[p] = std::visit(dilating, material.strength);
+      }
+      continue;
+    }
     if (mode.yields) {
       const SymmetricTensor trial = stress;
       const Yielding yielding{suction.empty() ? 0.0 : suction[p], state_.particles.plastic_strain[p], material.elastic,
@@ -70,6 +121,31 @@ void MaterialPointMethod::update_stress(double dt, std::span<const double> sucti
       if (std::visit(yielding, material.strength) && mode.accumulates_strain) {
         state_.particles.plastic_strain[p] += plastic_increment(trial, stress, material.shear);
       }
+    }
+    state_.particles.sxx[p] = stress.xx;
+    state_.particles.syy[p] = stress.yy;
+    state_.particles.szz[p] = stress.zz;
+    state_.particles.sxy[p] = stress.xy;
+  }
+}
+
+// Each particle meets the volume change of the plastic flow around it in its mean stress, and then yields by shear.
+void MaterialPointMethod::yield_with_shared_dilation(std::span<const double> suction, const StepMode& mode) {
+  sum_over_hats(dilation_);
+  for (const Hat& hat : hats_) {
+    if (hat.volume > 0.0) hat_value_[hat.node] /= hat.volume;
+  }
+#pragma omp parallel for schedule(static) num_threads(settings_.threads) if (settings_.threads > 1)
+  for (std::size_t p = 0; p < state_.particles.size(); ++p) {
+    const Material& material = materials_[state_.particles.soil[p]];
+    const double lost = material.bulk * from_hats(p);
+    const SymmetricTensor& tried = trial_stress_[p];
+    const SymmetricTensor trial{tried.xx - lost, tried.yy - lost, tried.zz - lost, tried.xy};
+    SymmetricTensor stress = trial;
+    const Shearing shearing{suction.empty() ? 0.0 : suction[p], state_.particles.plastic_strain[p], material.elastic,
+                            stress};
+    if (std::visit(shearing, material.strength) && mode.accumulates_strain) {
+      state_.particles.plastic_strain[p] += plastic_increment(trial, stress, material.shear);
     }
     state_.particles.sxx[p] = stress.xx;
     state_.particles.syy[p] = stress.yy;

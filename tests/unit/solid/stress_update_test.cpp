@@ -108,5 +108,38 @@ TEST(StressUpdate, YieldsAtTheStrengthOfItsSuction) {
   }
 }
 
+// One particle dilates in soil that does not yield: its neighbours meet a part of its volume change, none of it is
+// lost, and no two particles of a cell are pressed against each other.
+TEST(StressUpdate, DilationIsSharedWithTheSoilAround) {
+  Block block = driven_block();
+  DruckerPrager strength = testing::table_2_strength();
+  strength.friction_angle = strength.dilatancy_angle = 25.0 * testing::degree;
+  strength.maximum_cohesion_increase = 1.0e6;
+  block.soil.strength = strength;
+  MaterialPointMethod solid = block.build();
+  Particles& p = solid.particles();
+  const std::size_t weak = 14;
+  std::vector<double> suction(p.size(), 1.0e7);
+  suction[weak] = 0.0;
+  set_velocity_gradient(p, 0.0, 2e-3, 0.0, 0.0);
+  solid.predict(1.0, {}, {}, 0.0);
+  solid.advance(1.0, suction, {.moves = false});
+  const double bulk = block.soil.elastic.bulk_modulus(), shear = block.soil.elastic.shear_modulus();
+  // the return mapping of the weak one by itself, from a stress of pure shear
+  const YieldCone cone = SuctionDependentCone(strength).at(0.0);
+  const double own =
+      3.0 * cone.eta * (2e-3 * shear - cone.xi_c) / (shear + 9.0 * bulk * cone.eta * cone.eta);  // volumetric strain
+  double sum = 0.0, most = 0.0;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const double mean = (p.sxx[i] + p.syy[i] + p.szz[i]) / 3.0;
+    EXPECT_LE(mean, 1e-6);
+    sum -= mean / bulk * p.volume[i];
+    most = std::max(most, -mean / bulk);
+  }
+  EXPECT_NEAR(sum, own * p.volume[weak], 1e-9 * own * p.volume[weak]);
+  EXPECT_LT(most, 0.3 * own);
+  EXPECT_NEAR(cone.value({p.sxx[weak], p.syy[weak], p.szz[weak], p.sxy[weak]}), 0.0, 1e-8);
+}
+
 }  // namespace
 }  // namespace slope::solid

@@ -52,6 +52,18 @@ TEST(SlopeFactor, OfFrictionalSoilIsThatOfLimitEquilibrium) {
         factor_of_safety(start_case("slope_factor.yaml")));
 }
 
+// With associated flow, as limit analysis has it.
+TEST(SlopeFactor, OfDilatantSoilIsThatOfLimitEquilibrium) {
+  const auto dilatant = [](double factor) {
+    std::vector<std::string> overrides = strength_over(factor);
+    const std::string& friction_angle = overrides.back();
+    overrides.push_back("soils.loam.strength.dilatancy_angle" + friction_angle.substr(friction_angle.find('=')));
+    return overrides;
+  };
+  check("slope-factor-3", "Slope 1:1.5, dilatancy angle = friction angle, factor of safety over Bishop's", dilatant,
+        factor_of_safety(start_case("slope_factor.yaml")));
+}
+
 // The same slope of undrained clay. Limit analysis with finite elements bounds its factor from both sides, with the
 // walls and the base of the case: linear programs over stresses in balance, linear in each triangle and with jumps
 // (Sloan 1988, Int. J. Numer. Anal. Methods Geomech. 12, 61-77), and over velocities likewise (Sloan 1989, ibid. 13,

@@ -14,6 +14,8 @@ struct YieldCone {
 
   /// f (Pa); <= 0 inside. I_1 is the trace of the effective stress, tension positive.
   [[nodiscard]] double value(const SymmetricTensor& stress) const;
+  /// The same surface, with a flow that keeps the volume.
+  [[nodiscard]] YieldCone isochoric() const { return {eta, 0.0, xi_c}; }
 };
 
 /// The cone as a function of suction (paper, Eqs. 13-16) and plastic strain; a suction below zero counts as zero.

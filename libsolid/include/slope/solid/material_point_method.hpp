@@ -12,6 +12,7 @@
 #include "slope/solid/particles.hpp"
 #include "slope/solid/soil.hpp"
 #include "slope/solid/strength_law.hpp"
+#include "slope/solid/tensor.hpp"
 
 namespace slope::solid {
 
@@ -140,6 +141,8 @@ struct WallReaction {
 /// particle what the hats give back. The volumetric strain that the water, the volumes and the effective stress see is
 /// projected alike; since Pi^T V = V Pi, force and strain are transposes of each other and no energy is made between
 /// them. A particle's own volume change, four constraints to a cell, would lock soil that flows at constant volume.
+/// The volume change of plastic flow is projected with it: the mean stress of a particle that dilates more than its
+/// neighbours would else rise against theirs without end, for no total volume change that they share can undo it.
 /// With Settings::averages_pressure false each particle's own pressure and strain act instead; then volume_response()
 /// and correct() are of no use.
 ///
@@ -286,7 +289,8 @@ class MaterialPointMethod {
   struct Material {
     Material(const Soil& soil, double cell_size);
     Elastic elastic;
-    double shear, lame;
+    double shear, bulk, lame;
+    bool dilates;
     StrengthLaw strength;
   };
 
@@ -317,6 +321,7 @@ class MaterialPointMethod {
   void update_velocity(double dt, double damping);
   void find_hats();
   void fold_walls(Hat& hat) const;
+  void sum_over_hats(std::span<const double> q) const;
   void find_pressure_force(std::span<const double> q) const;
   void find_hat_divergence(const std::vector<Eigen::Array2d>& velocity) const;
   [[nodiscard]] double from_hats(std::size_t p) const;
@@ -325,6 +330,9 @@ class MaterialPointMethod {
   void forget_losses();
   void remap_velocity();
   void update_stress(double dt, std::span<const double> suction, const StepMode& mode);
+  template <bool shares_dilation>
+  void strain_particles(double dt, std::span<const double> suction, const StepMode& mode);
+  void yield_with_shared_dilation(std::span<const double> suction, const StepMode& mode);
   void check() const;
   [[nodiscard]] WallState& memory_of(const WallNode& wall) { return state_.walls[wall.number]; }
   [[nodiscard]] const WallState& memory_of(const WallNode& wall) const { return state_.walls[wall.number]; }
@@ -362,6 +370,10 @@ class MaterialPointMethod {
   std::vector<Eigen::Array2d> response_;  // velocity per impulse: 1 / mass, slowed by the damping; 0 where a wall holds
   std::vector<std::array<double, 4>> velocity_gradient_;  // of each particle: dvx/dx, dvx/dy, dvy/dx, dvy/dy
   std::vector<Behind> strip_;                             // of the traction at hand
+  // where soil may dilate: of each particle, the stress before it yields and the volumetric strain of its plastic flow
+  bool shares_dilation_ = false;
+  std::vector<SymmetricTensor> trial_stress_;
+  std::vector<double> dilation_;
   // work space of the pressure's force and the divergence; it carries nothing from one call to the next
   mutable std::vector<Eigen::Array2d> pressure_force_;
   mutable std::vector<double> hat_value_;  // per node

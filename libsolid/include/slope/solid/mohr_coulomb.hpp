@@ -16,6 +16,8 @@ struct YieldPyramid {
 
   /// f (Pa); <= 0 inside.
   [[nodiscard]] double value(const SymmetricTensor& stress) const;
+  /// The same surface, with a flow that keeps the volume.
+  [[nodiscard]] YieldPyramid isochoric() const { return {sin_friction, 0.0, c_cos_friction}; }
 };
 
 /// The pyramid as a function of suction (paper, Eqs. 15, 16) and plastic strain; a suction below zero counts as zero.

@@ -14,6 +14,8 @@ struct YieldCylinder {
 
   /// f (Pa); <= 0 inside.
   [[nodiscard]] double value(const SymmetricTensor& stress) const;
+  /// Its own flow keeps the volume.
+  [[nodiscard]] YieldCylinder isochoric() const { return *this; }
 };
 
 /// The cylinder as a function of plastic strain.
