@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <utility>
 
 namespace slope::couple {
@@ -11,7 +12,8 @@ namespace {
 
 constexpr double flattest_face = 0.1;  // fall over distance, below which the ground may end a face
 constexpr double reach_cells = 2.0;
-constexpr double alone = 2.0;  // spacings around a particle in which there is no other, so that it is no front
+constexpr double link = 2.0;        // spacings within which particles hang together
+constexpr std::size_t splash = 10;  // so few particles that hang together with no others are no front
 
 /// A straight piece of an outline between two neighbouring corners' x.
 struct Piece {
@@ -142,16 +144,56 @@ std::optional<Point> first_toe(const GroundLine& ground, const std::vector<Reach
   return toe;
 }
 
-/// The reach of the foremost particle that is not alone.
-double front_of(std::vector<Reach> soil, double spacing) {
-  std::ranges::sort(soil, std::ranges::greater());
-  const auto has_company = [&](const Reach& one) {
-    return std::ranges::count_if(soil, [&](const Reach& other) {
-             return std::hypot(one[0] - other[0], one[1] - other[1]) < alone * spacing;
-           }) > 1;
-  };
-  const auto front = std::ranges::find_if(soil, has_company);
-  return (front == soil.end() ? soil.front() : *front)[0];
+/// Particles by square cells as wide as the distance within which they hang together.
+class Neighbourhood {
+ public:
+  Neighbourhood(const std::vector<Reach>& soil, double distance) : soil_(soil), distance_(distance) {
+    for (std::size_t p = 0; p < soil.size(); ++p) cells_[cell_of(soil[p])].push_back(p);
+  }
+  /// Calls visit(q) for each particle within the distance of p, p included.
+  template <class Visit>
+  void for_each_near(std::size_t p, const Visit& visit) const {
+    const auto [column, row] = cell_of(soil_[p]);
+    for (const double i : {column - 1.0, column, column + 1.0}) {
+      for (const double j : {row - 1.0, row, row + 1.0}) {
+        const auto cell = cells_.find({i, j});
+        if (cell == cells_.end()) continue;
+        for (const std::size_t q : cell->second) {
+          if (std::hypot(soil_[p][0] - soil_[q][0], soil_[p][1] - soil_[q][1]) < distance_) visit(q);
+        }
+      }
+    }
+  }
+
+ private:
+  [[nodiscard]] Reach cell_of(const Reach& at) const {
+    return {std::floor(at[0] / distance_), std::floor(at[1] / distance_)};
+  }
+  const std::vector<Reach>& soil_;
+  double distance_;
+  std::map<Reach, std::vector<std::size_t>> cells_;
+};
+
+/// The reach of the foremost particle that is no splash.
+double front_of(const std::vector<Reach>& soil, double spacing) {
+  const Neighbourhood neighbourhood(soil, link * spacing);
+  std::vector<char> seen(soil.size(), 0);
+  std::optional<double> front;
+  for (std::size_t p = 0; p < soil.size(); ++p) {
+    if (seen[p] || (front && soil[p][0] <= *front)) continue;
+    std::vector<std::size_t> group{p};  // all that hangs together with p
+    seen[p] = 1;
+    double foremost = soil[p][0];
+    for (std::size_t k = 0; k < group.size(); ++k) {
+      foremost = std::max(foremost, soil[group[k]][0]);
+      neighbourhood.for_each_near(group[k], [&](std::size_t q) {
+        if (!seen[q]) group.push_back(q);
+        seen[q] = 1;
+      });
+    }
+    if (group.size() >= splash) front = std::max(front.value_or(foremost), foremost);
+  }
+  return front.value_or(std::ranges::max(soil)[0]);
 }
 
 /// How far ahead of the toe the ground has been pushed up: the reach of the foremost place at which ground that lay

@@ -202,16 +202,28 @@ TEST_P(RunOut, OfWhatStaysOnTheFaceIsZero) {
   EXPECT_GT(slide.area, 1.0);
 }
 
-TEST_P(RunOut, CountsNoSingleGrain) {
+TEST_P(RunOut, CountsNoSplash) {
+  for (const int grains : {1, 9}) {
+    SlopeOf slope(w2, 0.5, GetParam());
+    int thrown = 0;
+    slope.move([&](double x, double y) {
+      if (y <= 5.0 || x > 20.0) return Point{0.0, 0.0};
+      const bool throws = thrown < grains && y > 8.0;
+      thrown += throws ? 1 : 0;
+      return throws ? Point{-13.0, -2.0} : Point{-0.5, 0.0};
+    });
+    EXPECT_EQ(thrown, grains);
+    EXPECT_NEAR(slope.slide().run_out.value(), 0.5, 1e-9) << grains;
+  }
+}
+
+TEST_P(RunOut, CountsABodyThatHasComeOff) {
   SlopeOf slope(w2, 0.5, GetParam());
-  bool thrown = false;
-  slope.move([&](double x, double y) {
+  slope.move([](double x, double y) {
     if (y <= 5.0 || x > 20.0) return Point{0.0, 0.0};
-    const bool throws = !thrown && y > 8.0;
-    thrown = thrown || throws;
-    return throws ? Point{-13.0, -2.0} : Point{-0.5, 0.0};
+    return y < 8.0 && x < 13.0 ? Point{-4.0, 0.0} : Point{-0.5, 0.0};
   });
-  EXPECT_NEAR(slope.slide().run_out.value(), 0.5, 1e-9);
+  EXPECT_NEAR(slope.slide().run_out.value(), 4.0, 1e-9);
 }
 
 TEST_P(RunOut, ReachesAsFarAsTheGroundIsPushedUp) {

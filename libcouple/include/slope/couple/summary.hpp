@@ -42,9 +42,10 @@ struct Slide {
   std::optional<Point> toe;  ///< first toe: lowest point of the face that it stood on, before the start (m); none:
                              ///< nothing slid, or the ground falls all the way to the side of the domain
   /// Advance of the ground line beyond its first toe, horizontally (m), >= 0: how much further than before the start
-  /// the soil reaches that stood behind the first toe and above it, to its foremost particle that has another within
-  /// two spacings; or further, as far as it has pushed up the ground ahead, by more than half a spacing and the onset
-  /// displacement. Zero if nothing slid or what slid stays behind the toe; none: no toe.
+  /// the soil reaches that stood behind the first toe and above it, to its foremost particle that hangs together with
+  /// nine more, each within two spacings of the next; or further, as far as it has pushed up the ground ahead, by more
+  /// than half a spacing and the onset displacement. Zero if nothing slid or what slid stays behind the toe; none: no
+  /// toe.
   std::optional<double> run_out = 0.0;
   bool reaches_wall = false;  ///< the front has come to the last cell before the side of the domain
 
