@@ -31,12 +31,18 @@ endforeach()
 foreach(library IN ITEMS libsolid libseepage)
   forbid("${ROOT}/${library}/*.[ch]pp" "#include *[<\"](fmt/|yaml-cpp/)" "fmt and yaml-cpp are private to libcouple")
 endforeach()
-# libcouple has two rooms: the case, text to values, knows of the run nothing and of the solvers their parameters.
-set(upwards "#include *[<\"](run/|\\.\\./|slope/couple/(checkpoint|simulation|state|summary)|slope/(solid|seepage)/([^s]|s[^o]))")
+# libcouple has three rooms: the case, text to values, knows of the run and the results nothing and of the solvers their
+# parameters; the results, what was found to text and back, know of the run nothing.
+set(upwards "#include *[<\"](results/|run/|\\.\\./|slope/couple/(checkpoint|results|simulation|state|summary|water_amounts)|slope/(solid|seepage)/([^s]|s[^o]))")
 foreach(files IN ITEMS src/case/*.[ch]pp include/slope/couple/case.hpp include/slope/couple/csv_rows.hpp
     include/slope/couple/document.hpp include/slope/couple/geometry.hpp include/slope/couple/read_case.hpp
     include/slope/couple/text_file.hpp)
   forbid("${ROOT}/libcouple/${files}" "${upwards}" "the case names the run or a solver")
+endforeach()
+foreach(files IN ITEMS src/results/*.[ch]pp include/slope/couple/results.hpp include/slope/couple/summary.hpp
+    include/slope/couple/water_amounts.hpp)
+  forbid("${ROOT}/libcouple/${files}" "#include *[<\"](run/|\\.\\./|slope/couple/(checkpoint|simulation|state)|slope/(solid|seepage)/)"
+    "the results name the run or a solver")
 endforeach()
 
 if(checked EQUAL 0)

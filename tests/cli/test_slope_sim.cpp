@@ -1,6 +1,5 @@
 #include <gtest/gtest.h>
 #include <stdlib.h>
-#include <yaml-cpp/yaml.h>
 
 #include <algorithm>
 #include <array>
@@ -13,6 +12,7 @@
 #include "particle_file.hpp"
 #include "program.hpp"
 #include "slope/couple/read_case.hpp"
+#include "slope/couple/results.hpp"
 
 namespace slope::tools::test {
 namespace {
@@ -44,8 +44,8 @@ class SlopeSim : public testing::Test {
     std::ofstream(scratch_ / name) << content;
     return scratch_ / name;
   }
-  [[nodiscard]] static YAML::Node summary_of(const fs::path& out) {
-    return YAML::LoadFile((out / "summary.json").string());
+  [[nodiscard]] static couple::RunSummary summary_of(const fs::path& out) {
+    return couple::read_summary(out / "summary.json");
   }
   [[nodiscard]] static std::vector<std::string> lines_of(const fs::path& file) {
     std::istringstream stream(content_of(file));
@@ -87,7 +87,7 @@ TEST_F(SlopeSim, SaysSoIfTheSlopeDoesNotStandBeforeTheStart) {
             std::string::npos)
       << weak.errors;
   EXPECT_NE(weak.output.find("  verdict          does not stand before the rain"), std::string::npos) << weak.output;
-  EXPECT_EQ(summary_of(scratch_ / "weak")["verdict"].as<std::string>(), "does not stand before the start");
+  EXPECT_EQ(summary_of(scratch_ / "weak").found.verdict, couple::Verdict::does_not_stand);
 }
 
 TEST_F(SlopeSim, RainIsBookedInTheBudget) {
@@ -99,10 +99,10 @@ TEST_F(SlopeSim, RainIsBookedInTheBudget) {
   ASSERT_EQ(lines.size(), lines_of(out / "history.csv").size());
   EXPECT_TRUE(lines[0].starts_with("time [s],rain [m3/m],rain infiltration [m3/m],run-off [m3/m],seepage [m3/m],"));
   EXPECT_TRUE(lines[3].starts_with("0.1,0,0,0,")) << lines[3];
-  const YAML::Node water = summary_of(out)["water_budget"];
-  const double rain = water["rain_m3_per_m"].as<double>();
-  EXPECT_NEAR(rain, 1.0e-5 * 2.0 * 0.1, 1e-12) << "36 mm/h on 2 m for 0.1 s";
-  EXPECT_NEAR(water["rain_infiltration_m3_per_m"].as<double>() + water["run_off_m3_per_m"].as<double>(), rain, 1e-12);
+  EXPECT_TRUE(lines[0].ends_with("storage [m3/m],balance error [m3/m]")) << lines[0];
+  const couple::WaterBudget water = summary_of(out).found.water;
+  EXPECT_NEAR(water.rain, 1.0e-5 * 2.0 * 0.1, 1e-12) << "36 mm/h on 2 m for 0.1 s";
+  EXPECT_NEAR(water.rain_infiltration + water.run_off, water.rain, 1e-12);
   EXPECT_NE(outcome.output.find("infiltrated"), std::string::npos) << outcome.output;
 }
 
@@ -129,11 +129,11 @@ TEST_F(SlopeSim, RunFillsAFolderThatStandsOnItsOwn) {
   EXPECT_EQ(series.back().label, "end");
   EXPECT_NEAR(series.back().time, 0.15, 1e-12);
 
-  const YAML::Node summary = summary_of(out);
-  EXPECT_EQ(summary["end"]["reason"].as<std::string>(), "time");
-  EXPECT_EQ(summary["particles"].as<int>(), 32);
-  EXPECT_GT(summary["steps"].as<int>(), 0);
-  EXPECT_TRUE(summary["onset"].IsNull());
+  const couple::Summary found = summary_of(out).found;
+  EXPECT_EQ(found.end_reason, couple::EndReason::time);
+  EXPECT_EQ(found.particles, 32u);
+  EXPECT_GT(found.steps, 0u);
+  EXPECT_FALSE(found.onset_time);
   EXPECT_NE(content_of(out / "log.txt").find("--set stop.time=0.15 s"), std::string::npos);
   EXPECT_TRUE(outcome.output.starts_with("A box of wet soil\n  verdict          stands until the end, 0.15 s\n"))
       << outcome.output;
@@ -433,6 +433,9 @@ TEST_F(SlopeSim, SchemaAndVersionArePrinted) {
   const Outcome schema = call({"schema"});
   EXPECT_EQ(schema.exit_code, 0);
   EXPECT_EQ(schema.output, couple::case_schema());
+  const Outcome of_results = call({"schema", "--results"});
+  EXPECT_EQ(of_results.exit_code, 0);
+  EXPECT_EQ(of_results.output, couple::summary_schema());
   const Outcome version = call({"--version"});
   EXPECT_EQ(version.exit_code, 0);
   EXPECT_TRUE(version.output.starts_with("slope-sim "));
@@ -444,14 +447,14 @@ TEST_F(SlopeSim, BrokenPhysicsEndsWithCode3AndKeepsWhatWasComputed) {
   EXPECT_EQ(outcome.exit_code, 3) << outcome.errors;
   EXPECT_NE(outcome.errors.find("slope-sim: at t = "), std::string::npos) << outcome.errors;
   EXPECT_NE(outcome.errors.find("outside of the grid"), std::string::npos) << outcome.errors;
-  const YAML::Node summary = summary_of(out);
-  EXPECT_EQ(summary["end"]["reason"].as<std::string>(), "error");
-  EXPECT_NE(outcome.errors.find("slope-sim: " + summary["end"]["message"].as<std::string>() + "\n"), std::string::npos);
+  const couple::RunSummary summary = summary_of(out);
+  EXPECT_EQ(summary.found.end_reason, couple::EndReason::error);
+  EXPECT_NE(outcome.errors.find("slope-sim: " + summary.message + "\n"), std::string::npos);
   expect_whole_history(out, 3);
   const auto series = read_particle_series(out);
   ASSERT_GE(series.size(), 2u);
   EXPECT_EQ(series.back().label, "error");
-  EXPECT_NEAR(series.back().time, summary["end"]["time_s"].as<double>(), 1e-9);
+  EXPECT_NEAR(series.back().time, summary.found.time, 1e-9);
   EXPECT_EQ(read_particles(series.back().file)->GetNumberOfPoints(), 32);
 }
 
@@ -474,7 +477,7 @@ TEST_P(InterruptedRun, EndsWithCode130AndLeavesReadableFiles) {
                    "output.history_interval=0.01 s"},
                   scratch_);
   ASSERT_TRUE(has_rows(program, out / "history.csv", 3));
-  EXPECT_EQ(summary_of(out)["end"]["reason"].as<std::string>(), "running");
+  EXPECT_EQ(summary_of(out).found.end_reason, couple::EndReason::running);
   program.signal(GetParam());
   const Outcome outcome = program.wait();
   EXPECT_EQ(outcome.exit_code, 130) << outcome.errors;
@@ -483,9 +486,9 @@ TEST_P(InterruptedRun, EndsWithCode130AndLeavesReadableFiles) {
   ASSERT_EQ(series.size(), 2u);
   EXPECT_EQ(series.back().label, "interrupted");
   EXPECT_EQ(read_particles(series.back().file)->GetNumberOfPoints(), 32);
-  const YAML::Node summary = summary_of(out);
-  EXPECT_EQ(summary["end"]["reason"].as<std::string>(), "interrupted");
-  EXPECT_NEAR(summary["end"]["time_s"].as<double>(), series.back().time, 1e-9);
+  const couple::RunSummary summary = summary_of(out);
+  EXPECT_EQ(summary.found.end_reason, couple::EndReason::interrupted);
+  EXPECT_NEAR(summary.found.time, series.back().time, 1e-9);
 }
 
 /// Waits, for a minute at most, until the program has written a text to a file.
@@ -511,7 +514,7 @@ TEST_P(InterruptedRun, EndsInItsInitialStateToo) {
   const auto series = read_particle_series(out);
   ASSERT_EQ(series.size(), 1u);
   EXPECT_EQ(series.back().label, "interrupted");
-  EXPECT_EQ(summary_of(out)["end"]["reason"].as<std::string>(), "interrupted");
+  EXPECT_EQ(summary_of(out).found.end_reason, couple::EndReason::interrupted);
 }
 
 INSTANTIATE_TEST_SUITE_P(By, InterruptedRun, testing::Values(SIGINT, SIGTERM),

@@ -1,5 +1,4 @@
 #include <gtest/gtest.h>
-#include <yaml-cpp/yaml.h>
 
 #include <algorithm>
 #include <chrono>
@@ -12,6 +11,7 @@
 #include "program.hpp"
 #include "scratch_folder.hpp"
 #include "shell_cases.hpp"
+#include "slope/couple/results.hpp"
 
 namespace slope::tools::test {
 namespace {
@@ -29,9 +29,6 @@ class Surroundings : public testing::Test {
         .wait();
   }
   [[nodiscard]] const fs::path& path() const { return scratch_.path(); }
-  [[nodiscard]] static YAML::Node end_of(const fs::path& run) {
-    return YAML::LoadFile((run / "summary.json").string())["end"];
-  }
   /// A run that goes on for an hour, and has begun its history.
   [[nodiscard]] std::unique_ptr<Program> long_run() const {
     auto program = std::make_unique<Program>(
@@ -132,9 +129,9 @@ TEST_F(Surroundings, AFullDiskIsToldWithItsReasonAndWhatIsThereCanBeRead) {
   EXPECT_EQ(outcome.exit_code, 4) << outcome.errors;
   EXPECT_NE(outcome.errors.find("cannot be written: File too large"), std::string::npos) << outcome.errors;
   EXPECT_EQ(left_over(path() / "run"), std::vector<std::string>{});
-  const YAML::Node end = end_of(path() / "run");
-  EXPECT_EQ(end["reason"].as<std::string>(), "error");
-  EXPECT_NE(end["message"].as<std::string>("").find("File too large"), std::string::npos);
+  const couple::RunSummary summary = couple::read_summary(path() / "run" / "summary.json");
+  EXPECT_EQ(summary.found.end_reason, couple::EndReason::error);
+  EXPECT_NE(summary.message.find("File too large"), std::string::npos);
   for (const Snapshot& snapshot : read_particle_series(path() / "run")) {
     EXPECT_EQ(read_particles(snapshot.file)->GetNumberOfPoints(), 32) << snapshot.file;
   }

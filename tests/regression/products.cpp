@@ -1,7 +1,6 @@
 #include "products.hpp"
 
 #include <fmt/format.h>
-#include <yaml-cpp/yaml.h>
 
 #include <fstream>
 #include <sstream>
@@ -9,6 +8,7 @@
 
 #include "run_curves.hpp"
 #include "run_folder.hpp"
+#include "slope/couple/results.hpp"
 #include "slope/testing/table.hpp"
 
 namespace slope::testing {
@@ -40,17 +40,18 @@ std::vector<std::vector<double>> history_columns(const fs::path& run, const std:
 }
 
 /// The number at the end of a way, whose steps are keys or indices with dots between them.
-double number_at(YAML::Node node, const std::string& way) {
+double number_at(const couple::Document& summary, const std::string& way) {
+  const couple::Document* at = &summary;
   std::istringstream steps(way);
-  for (std::string step; std::getline(steps, step, '.');) {
-    node.reset(node.IsSequence() ? node[std::stoul(step)] : node[step]);
-    if (!node.IsDefined() || node.IsNull()) throw std::runtime_error("summary.json has no number at " + way);
+  for (std::string step; at != nullptr && std::getline(steps, step, '.');) {
+    at = at->kind == couple::Document::Kind::list ? &at->children.at(std::stoul(step)) : at->find(step);
   }
-  return node.as<double>();
+  if (at == nullptr || at->value.empty()) throw std::runtime_error("summary.json has no number at " + way);
+  return std::stod(at->value);
 }
 
 std::vector<std::vector<double>> summary_columns(const fs::path& run, const std::vector<std::string>& names) {
-  const YAML::Node summary = YAML::LoadFile((run / "summary.json").string());  // JSON is YAML
+  const couple::Document summary = couple::summary_document(couple::read_summary(run / "summary.json"));
   std::vector<std::vector<double>> columns;
   for (const auto& name : names) columns.push_back({number_at(summary, name)});
   return columns;

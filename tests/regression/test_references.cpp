@@ -2,10 +2,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <fstream>
 #include <set>
 
+#include "case/input.hpp"
 #include "picture_difference.hpp"
 #include "regression_case.hpp"
+#include "schema_checker.hpp"
+#include "slope/couple/results.hpp"
 #include "table_difference.hpp"
 
 namespace slope::testing {
@@ -50,6 +54,20 @@ void expect_pictures_close(const RegressionCase& tested) {
   }
 }
 
+/// Its summary is what the schema says, and is read and written again as it is.
+void expect_described_summary(const RegressionCase& tested) {
+  std::ifstream stream(tested.run() / "summary.json", std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  std::vector<couple::Problem> problems;
+  const auto parsed = [&problems](const std::string& json) {
+    return couple::parse_yaml(json, "text", problems, {"summary", "JSON", 20'000});
+  };
+  const auto violations = couple::test::schema_violations(parsed(couple::summary_schema()), parsed(text));
+  EXPECT_TRUE(problems.empty());
+  EXPECT_TRUE(violations.empty()) << violations.front();
+  EXPECT_EQ(couple::summary_json(couple::read_summary(tested.run() / "summary.json")), text);
+}
+
 /// The files of a folder with an extension.
 std::set<std::string> files_in(const fs::path& folder, const char* extension) {
   std::set<std::string> files;
@@ -74,6 +92,9 @@ TEST(ShortColumn, TablesAreAsBefore) {
 TEST(ShortColumn, PicturesAreAsBefore) {
   expect_pictures_close(short_column);
 }
+TEST(ShortColumn, SummaryIsWhatItsSchemaDescribes) {
+  expect_described_summary(short_column);
+}
 TEST(ShortColumn, EveryReferenceIsCompared) {
   expect_every_reference_compared(short_column);
 }
@@ -83,6 +104,9 @@ TEST(ShortSlope, TablesAreAsBefore) {
 }
 TEST(ShortSlope, PicturesAreAsBefore) {
   expect_pictures_close(short_slope);
+}
+TEST(ShortSlope, SummaryIsWhatItsSchemaDescribes) {
+  expect_described_summary(short_slope);
 }
 TEST(ShortSlope, EveryReferenceIsCompared) {
   expect_every_reference_compared(short_slope);

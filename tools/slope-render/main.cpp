@@ -46,15 +46,18 @@ int worse(int one, int other) {
   return one == bad_input || other == bad_input ? bad_input : std::max(one, other);
 }
 
+void tell(const std::vector<std::string>& notes) {
+  for (const auto& note : notes) std::fprintf(stderr, "%s\n", note.c_str());
+}
+
 int draw_run(const fs::path& folder, const std::string& out, PictureOptions options) {
   Losses losses;
   const auto run = read_run_folder(folder, losses);
   const int read = tell(losses);
+  tell(run.notes);
   options.folder = out_or(out, run.path / "figures");
   const Pictures pictures = write_pictures(run, options);
-  for (const auto& note : pictures.notes) {
-    std::fprintf(stderr, "%s\n", note.c_str());
-  }
+  tell(pictures.notes);
   for (const auto& file : pictures.written) {
     say(file.string() + "\n");
   }
@@ -63,6 +66,7 @@ int draw_run(const fs::path& folder, const std::string& out, PictureOptions opti
 
 int draw_paper(const std::vector<std::string>& folders, const std::string& out, int width) {
   const PaperRuns runs = read_paper_runs({folders.begin(), folders.end()});
+  for (const auto& [name, run] : runs.runs) tell(run.notes);
   const auto figures = write_paper_figures(runs, out, width);
   const fs::path report = fs::path(out) / "report.md";
   write_paper_report(runs, report);
@@ -77,7 +81,7 @@ int draw_paper(const std::vector<std::string>& folders, const std::string& out, 
 }
 
 int compare(const std::vector<std::string>& folders, const fs::path& out) {
-  write_comparison({folders.begin(), folders.end()}, out);
+  tell(write_comparison({folders.begin(), folders.end()}, out));
   say(out.string() + "\n");
   return 0;
 }
@@ -85,6 +89,7 @@ int compare(const std::vector<std::string>& folders, const fs::path& out) {
 int animate(const fs::path& folder, const std::string& out, const PictureOptions& options) {
   Losses losses;
   const auto run = read_run_folder(folder);
+  tell(run.notes);
   const fs::path target = out_or(out, run.path / "figures");
   const auto fields = options.fields.empty() ? std::vector<std::string>{"deviatoric_strain"} : options.fields;
   for (const auto& field : fields) {

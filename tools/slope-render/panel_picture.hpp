@@ -10,6 +10,12 @@
 
 namespace slope::tools {
 
+/// Size of a failure zone.
+struct ZoneSize {
+  double length = 0.0;  ///< horizontally (m)
+  double height = 0.0;  ///< (m)
+};
+
 /// A failure zone's place and the size that is written at its dimension lines.
 struct ZoneDimensions {
   couple::Point lower{0.0, 0.0};  ///< of its bounding box (m)

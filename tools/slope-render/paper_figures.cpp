@@ -129,12 +129,13 @@ void write_failures(const fs::path& file, int width, const std::vector<NamedRun>
   for (const NamedRun& named : runs) {
     (void)labelled_snapshot(named, "onset");
     auto panel = stacked_panel(named, labelled_snapshot(named, "end"), "");
-    if (!named.run->zone) {
+    const couple::FailureZone& zone = named.run->summary.value().found.zone_at_end;
+    if (std::isnan(zone.length) || std::isnan(zone.height)) {
       throw LeftOut(fmt::format("the summary of {} has no failure zone", named.folder_name));
     }
     panel.caption = fmt::format("{}, t = {}, |u| ≤ {:.2f} m", named.name,
                                 time_text(labelled_snapshot(named, "end").time), largest_displacement(panel.particles));
-    panel.zone = zone_dimensions(panel.particles, *panel.failure_strain, *named.run->zone);
+    panel.zone = zone_dimensions(panel.particles, *panel.failure_strain, {zone.length, zone.height});
     panels.push_back(std::move(panel));
   }
   write_stacked_panels(file, width, field_called("deviatoric_strain"), panels);

@@ -110,16 +110,18 @@ class Report {
         "than the onset displacement.\n\n"
         "| case | onset | runs away | 10 cm | onset at x, y | zone at 10 cm, length x height | end of the run | "
         "run-out | "
-        "slid | zone at the end | suction left | water budget error "
+        "slid | zone at the end | suction left | water balance error "
         "|\n|---|---|---|---|---|---|---|---|---|---|---|---|\n";
     for (const auto& [name, f] : figures_) {
       text += fmt::format(
           "| {} | {:.1f} s | {} | {:.1f} s | {:.1f} m, {:.1f} m | {:.1f} x {:.1f} m | {:.2f} m moved | {} | {} | "
           "{:.1f} x "
           "{:.1f} m, {:.1f} m2 | {:.1f} kPa | {:.0e} |\n",
-          name, f.onset, known(f.runaway, "{:.1f} s"), f.time_of(0.1), f.x, f.y, f.early.length, f.early.height,
-          f.displacement, known(f.run_out, "{:.2f} m"), known(f.slid, "{:.1f} m2"), f.last.length, f.last.height,
-          f.last.area, f.last.suction * 1e-3, std::abs(f.budget));
+          name, f.onset, known(f.found.runaway_onset.value_or(nothing), "{:.1f} s"), f.time_of(0.1), f.x, f.y,
+          f.early.length, f.early.height, f.found.largest_displacement,
+          known(f.found.slide_at_end.run_out.value_or(nothing), "{:.2f} m"),
+          known(f.found.slide_at_end.area, "{:.1f} m2"), f.last.length, f.last.height, f.last.area,
+          f.last.largest_suction * 1e-3, std::abs(f.found.water.relative_balance_error));
     }
     return text + "\n";
   }
@@ -132,7 +134,7 @@ class Report {
         three(wetness, [](const RunFolder&, const Figures& f) { return f.last.highest - f.early.highest; });
     const auto early = three(wetness, [](const RunFolder&, const Figures& f) { return f.early.area; });
     const auto late = three(wetness, [](const RunFolder&, const Figures& f) { return f.last.area; });
-    const auto left = three(wetness, [](const RunFolder&, const Figures& f) { return f.last.suction; });
+    const auto left = three(wetness, [](const RunFolder&, const Figures& f) { return f.last.largest_suction; });
     const auto c1 = three(
         wetness, [](const RunFolder& run, const Figures& f) { return at(run, "C1 displacement", f.time_of(0.1)); });
     const auto b = three(wetness, [](const RunFolder& run, const Figures& f) {

@@ -21,7 +21,7 @@ std::string paper_case_of(const RunFolder& run) {
   if (is_paper_case(folder)) {
     return folder;
   }
-  const std::string stem = std::filesystem::path(run.case_file).stem().string();
+  const std::string stem = std::filesystem::path(run.summary ? run.summary->case_file : "").stem().string();
   return is_paper_case(stem) ? stem : "";
 }
 
@@ -42,7 +42,7 @@ PaperRuns read_paper_runs(const std::vector<std::filesystem::path>& folders) {
       throw std::invalid_argument(fmt::format("{} and {}: are both runs of {}; give one of them",
                                               earlier->second.string(), folder.string(), name));
     }
-    if (run.complete) {
+    if (run.summary && couple::is_complete(run.summary->found.end_reason)) {
       result.runs.emplace(name, std::move(run));
     } else {
       result.unusable.emplace(name, fmt::format("the run {} did not come to its end", folder.string()));

@@ -133,7 +133,7 @@ void write_histories(const RunFolder& run, const PictureOptions& options, Pictur
     }
   }
   if (!has_rows(run.budget)) return;
-  if (std::ranges::none_of(run.budget.names, [](const auto& name) { return name.ends_with(" [m3/m]"); })) {
+  if (!has_amounts(run.budget)) {
     pictures.losses.leave_out(fmt::format("{}: has no amounts of water", (run.path / "budget.csv").string()));
   }
   auto budget = budget_curves(run.budget);

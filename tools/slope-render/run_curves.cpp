@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "drawable_particles.hpp"
+#include "slope/couple/water_amounts.hpp"
 
 namespace slope::tools {
 
@@ -21,22 +23,44 @@ std::vector<Curve> history_curves(const CsvTable& history, const std::string& qu
   return curves;
 }
 
+namespace {
+
+namespace amounts = couple::water_amounts;
+
+/// One above the other in the legend.
+constexpr std::array drawn_amounts{amounts::rain,        amounts::infiltration, amounts::run_off, amounts::seepage,
+                                   amounts::evaporation, amounts::outflow,      amounts::storage};
+
+std::string column_name(const couple::WaterAmount& amount) {
+  return fmt::format("{} [{}]", amount.name, amount.unit);
+}
+
+}  // namespace
+
+bool has_amounts(const CsvTable& budget) {
+  return std::ranges::any_of(amounts::all, [&budget](const couple::WaterAmount& amount) {
+    return std::ranges::find(budget.names, column_name(amount)) != budget.names.end();
+  });
+}
+
 std::vector<Curve> budget_curves(const CsvTable& budget) {
   std::vector<Curve> curves;
-  for (const char* name : {"rain", "infiltration", "run-off", "seepage", "evaporation", "outflow", "storage"}) {
-    const auto column = std::ranges::find(budget.names, std::string(name) + " [m3/m]");
+  for (const couple::WaterAmount& amount : drawn_amounts) {
+    const auto column = std::ranges::find(budget.names, column_name(amount));
     if (column == budget.names.end()) continue;
     const auto& values = budget.columns[static_cast<std::size_t>(column - budget.names.begin())];
     const bool drawn = std::ranges::any_of(curves, [&](const Curve& curve) { return curve.values == values; });
     const bool flows = std::ranges::any_of(values, [](double value) { return value != 0.0; });
-    if (flows && (!drawn || std::string(name) == "storage")) curves.push_back({name, values});
+    if (flows && (!drawn || amount.value == amounts::storage.value))
+      curves.push_back({std::string(amount.name), values});
   }
   return curves;
 }
 
 std::optional<TimeMark> other_onset(const RunFolder& run) {
   const bool runaway = run.input.onset == couple::Onset::runaway;
-  const auto& time = runaway ? run.displacement_onset : run.runaway_onset;
+  if (!run.summary) return std::nullopt;
+  const auto& time = runaway ? run.summary->found.displacement_onset : run.summary->found.runaway_onset;
   if (!time) return std::nullopt;
   return TimeMark{*time, runaway ? fmt::format("{:g} cm", 100.0 * run.input.onset_displacement) : "runs away"};
 }

@@ -11,9 +11,11 @@
 
 namespace slope::tools {
 
-/// The cumulative parts of the water budget that occur (m3 per metre of width): rain, what came in, ran off, seeped
-/// out, evaporated, was drained otherwise, and is stored. Empty if no water moved.
+/// The cumulative amounts of water that occur (m3 per metre of width), see couple::water_amounts; of those that are the
+/// same one. Empty if no water moved.
 [[nodiscard]] std::vector<Curve> budget_curves(const CsvTable& budget);
+/// Whether a table has any of the water's amounts.
+[[nodiscard]] bool has_amounts(const CsvTable& budget);
 
 /// The history's columns "<point> <quantity> [unit]" as curves named after their points.
 [[nodiscard]] std::vector<Curve> history_curves(const CsvTable& history, const std::string& quantity);

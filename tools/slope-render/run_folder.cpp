@@ -1,66 +1,39 @@
 #include "run_folder.hpp"
 
 #include <fmt/format.h>
-#include <yaml-cpp/yaml.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "slope/couple/read_case.hpp"
-#include "slope/couple/text_file.hpp"
 
 namespace slope::tools {
 namespace {
 
-constexpr std::size_t most_summary_bytes = 10'000'000;
-
-/// A number under a key, if there is one; null is none.
-std::optional<double> number_at(const YAML::Node& map, const char* key, const std::string& name) {
-  if (!map.IsMap()) throw couple::FileError(fmt::format("{} is not a map of keys", name));
-  const YAML::Node node = map[key];
-  if (!node.IsDefined() || node.IsNull()) return std::nullopt;
-  const double value = node.IsScalar() ? node.as<double>(largest_drawn * 2.0) : largest_drawn * 2.0;
-  if (!(std::abs(value) <= largest_drawn)) throw couple::FileError(fmt::format("{}.{} is not a number", name, key));
-  return value;
-}
-
-void take_summary(const YAML::Node& summary, RunFolder& run) {
-  const YAML::Node onset = summary["onset"];
-  if (onset.IsDefined() && !onset.IsNull()) run.onset = number_at(onset, "time_s", "onset");
-  run.displacement_onset = number_at(summary, "onset_by_displacement_s", "summary");
-  run.runaway_onset = number_at(summary, "onset_by_runaway_s", "summary");
-  run.case_file = summary["case"].as<std::string>("");
-  const YAML::Node end = summary["end"];
-  const std::string reason = end.IsDefined() && end.IsMap() ? end["reason"].as<std::string>("") : "";
-  run.complete = reason == "time" || reason == "displacement" || reason == "after_onset" || reason == "at_rest";
-  const YAML::Node zones = summary["failure_zone"];
-  if (!zones.IsDefined() || !zones.IsMap()) return;
-  const YAML::Node zone = zones["at_end"];
-  if (!zone.IsDefined() || !zone.IsMap()) return;
-  const auto length = number_at(zone, "length_m", "failure_zone.at_end");
-  const auto height = number_at(zone, "height_m", "failure_zone.at_end");
-  if (length && height) run.zone = ZoneSize{*length, *height};
+/// A time that the pictures can hold; else none, which is noted.
+void keep_if_drawn(std::optional<double>& time, const std::filesystem::path& file, const char* key, Losses& losses) {
+  if (!time || std::abs(*time) <= largest_drawn) return;
+  losses.leave_out(fmt::format("{}: {}: {:g} s is no time that can be drawn", file.string(), key, *time));
+  time.reset();
 }
 
 /// What the summary tells; of a run that was cut short before it wrote one, the onset is the snapshot's.
-void read_summary(const std::filesystem::path& file, RunFolder& run) {
+void take_summary(const std::filesystem::path& file, RunFolder& run, Losses& losses) {
   std::error_code error;
   if (!std::filesystem::exists(file, error)) {
     const auto onset = std::ranges::find(run.snapshots, "onset", &Snapshot::label);
     run.onset = onset != run.snapshots.end() ? std::optional(onset->time) : std::nullopt;
     return;
   }
-  const std::string content = couple::read_text_file(file, most_summary_bytes);
-  try {
-    const YAML::Node summary = YAML::Load(content);  // JSON is YAML
-    if (!summary.IsMap()) throw couple::FileError("is not a summary");
-    take_summary(summary, run);
-  } catch (const YAML::Exception& wrong) {
-    throw couple::FileError(fmt::format("{}: cannot be read: {}", file.string(), wrong.what()));
-  } catch (const couple::FileError& wrong) {
-    throw couple::FileError(fmt::format("{}: {}", file.string(), wrong.what()));
-  }
+  std::vector<couple::Problem> not_understood;
+  run.summary = couple::read_summary(file, &not_understood);
+  for (const couple::Problem& problem : not_understood) run.notes.push_back(problem.text());
+  couple::Summary& found = run.summary->found;
+  keep_if_drawn(found.onset_time, file, "onset.time_s", losses);
+  keep_if_drawn(found.displacement_onset, file, "onset_by_displacement_s", losses);
+  keep_if_drawn(found.runaway_onset, file, "onset_by_runaway_s", losses);
+  run.onset = found.onset_time;
 }
 
 /// A table over time whose rows go forward and whose values can be drawn; what cannot be is noted, and NaN.
@@ -113,7 +86,7 @@ RunFolder read_run_folder(const std::filesystem::path& path, Losses& losses) {
   if (std::filesystem::exists(path / "budget.csv", error)) {
     losses.attempt([&] { run.budget = read_history(path / "budget.csv", losses); });
   }
-  losses.attempt([&] { read_summary(path / "summary.json", run); });
+  losses.attempt([&] { take_summary(path / "summary.json", run, losses); });
   return run;
 }
 

@@ -9,14 +9,9 @@
 #include "losses.hpp"
 #include "particle_file.hpp"
 #include "slope/couple/case.hpp"
+#include "slope/couple/results.hpp"
 
 namespace slope::tools {
-
-/// Size of a failure zone.
-struct ZoneSize {
-  double length = 0.0;  ///< horizontally (m)
-  double height = 0.0;  ///< (m)
-};
 
 /// What slope-sim left in an output folder.
 struct RunFolder {
@@ -25,11 +20,10 @@ struct RunFolder {
   std::vector<Snapshot> snapshots;  ///< at least one, unless they are lost
   CsvTable history;                 ///< columns "name [unit]", the first is the time (s); empty if it is lost
   CsvTable budget;                  ///< of the water, as the history; empty if the folder has none or it is lost
-  std::optional<double> onset;      ///< of failure, by the criterion that the case chose (s)
-  std::optional<double> displacement_onset, runaway_onset;  ///< by each criterion, if the summary tells them (s)
-  std::string case_file;                                    ///< that was run, as the summary tells; empty without one
-  bool complete = false;                                    ///< the run came to the end that its case asks for
-  std::optional<ZoneSize> zone;                             ///< failure zone at the end, if the summary tells it
+  std::optional<couple::RunSummary> summary;  ///< none: the folder has none, or it is lost
+  std::optional<double> onset;     ///< of failure, by the criterion that the case chose (s); without a summary that of
+                                   ///< the snapshot
+  std::vector<std::string> notes;  ///< what of another version's summary is not understood
 };
 
 /// Reads case.yaml, particles.pvd, history.csv and, if they are there, budget.csv and summary.json.

@@ -16,6 +16,7 @@
 #include "run.hpp"
 #include "slope/couple/geometry.hpp"
 #include "slope/couple/read_case.hpp"
+#include "slope/couple/results.hpp"
 #include "standard_streams.hpp"
 #include "starter_case.hpp"
 
@@ -75,15 +76,16 @@ void wait_without_spinning(char** arguments) {
   execv("/proc/self/exe", arguments);  // returns only if that is impossible: then they spin
 }
 
-/// Files of the two commands that make one.
+/// Of the commands that make a file, or print what one should hold.
 struct FileOptions {
   std::string poly_line, profile, starter;
+  bool of_results = false;
 };
 
 ExitCode execute(const CLI::App& app, const slope::tools::RunOptions& options, const FileOptions& files) {
   try {
     if (app.got_subcommand("schema")) {
-      slope::tools::say(slope::couple::case_schema());
+      slope::tools::say(files.of_results ? slope::couple::summary_schema() : slope::couple::case_schema());
     } else if (app.got_subcommand("check")) {
       check(options.case_file.string(), options.overrides);
     } else if (app.got_subcommand("new")) {
@@ -122,6 +124,7 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
 
   slope::tools::RunOptions options;
+  FileOptions files;
   std::string case_file;
   std::string folder;
   CLI::App* run = app.add_subcommand("run", "Runs a case and fills an output folder");
@@ -136,8 +139,8 @@ int main(int argc, char** argv) {
   for (CLI::App* command : {run, resume}) add_running(*command, options);
   CLI::App* check = app.add_subcommand("check", "Says what is wrong with a case, or that it is fine");
   add_case(*check, case_file, options.overrides);
-  app.add_subcommand("schema", "Prints the JSON Schema of case files");
-  FileOptions files;
+  app.add_subcommand("schema", "Prints the JSON Schema of case files")
+      ->add_flag("--results", files.of_results, "Of summary.json instead: unit, sign and meaning of each of its keys");
   CLI::App* starter = app.add_subcommand("new", "Writes a small, commented case to start from");
   starter->add_option("FILE", files.starter, "Case file to write; an existing one is left alone")->required();
   CLI::App* profile = app.add_subcommand("profile", "Turns a VTK poly-line into a table for geometry.surface");

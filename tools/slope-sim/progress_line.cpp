@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "slope/couple/water_amounts.hpp"
 #include "time_unit.hpp"
 
 namespace slope::tools {
@@ -24,19 +25,22 @@ std::string duration_text(double seconds) {
 
 /// The water's books (m3/m), save what is zero.
 std::string water_text(const couple::WaterBudget& water) {
+  namespace amounts = couple::water_amounts;
   std::string text;
-  const auto add = [&text](const char* name, double amount) {
-    if (amount != 0.0) text += fmt::format("{}{} {:.3g}", text.empty() ? "" : ", ", name, amount);
+  const auto add = [&](std::string_view name, const couple::WaterAmount& amount) {
+    if (water.*amount.value == 0.0) return;
+    text += fmt::format("{}{} {:.3g}", text.empty() ? "" : ", ", name, water.*amount.value);
   };
-  add("rain", water.rain);
-  add("in", water.infiltration);
-  add("run-off", water.run_off);
-  add("out", water.outflow);
-  add("of it seepage", water.seepage);
-  add("evaporation", water.evaporation);
-  add("stored", water.storage);
+  add(amounts::rain.name, amounts::rain);
+  add(amounts::infiltration.phrase, amounts::infiltration);
+  add(amounts::run_off.name, amounts::run_off);
+  add(amounts::outflow.phrase, amounts::outflow);
+  add(fmt::format("of it {}", amounts::seepage.name), amounts::seepage);
+  add(amounts::evaporation.name, amounts::evaporation);
+  add(amounts::storage.phrase, amounts::storage);
   if (text.empty()) return "";
-  return fmt::format("  water (m3/m): {}, error {:.0e}", text, water.error);
+  return fmt::format("  water ({}): {}, {} {:.0e}", amounts::storage.unit, text, amounts::relative_balance_error.phrase,
+                     water.relative_balance_error);
 }
 
 /// Columns of the terminal; no limit if it does not say.

@@ -8,7 +8,7 @@
 namespace slope::tools {
 
 /// "412 s of 2400 s   17 %  2:31 left  clock x12.4  displacement 1.2 mm  water (m3/m): rain 0.5, in 0.4, run-off 0.1,
-/// stored 0.4, error 2e-09"
+/// stored 0.4, balance error 2e-09"
 /// @param stepping_seconds  wall time that the steps so far have taken
 [[nodiscard]] std::string progress_text(const couple::Progress& progress, double end_time, double stepping_seconds);
 

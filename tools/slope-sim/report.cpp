@@ -2,21 +2,31 @@
 
 #include <fmt/format.h>
 
+#include "slope/couple/water_amounts.hpp"
 #include "time_unit.hpp"
 
 namespace slope::tools {
 
 namespace {
 
-std::string end_text(const couple::Case& input, const couple::Summary& summary, const RunRecord& record) {
-  if (record.end_reason == "at_rest") return "the slide has come to rest";
+std::string end_text(const couple::Case& input, const couple::Summary& summary) {
   const bool moves = input.stop.at_rest && summary.onset_time;
   const std::string note = moves ? "; the slide had not come to rest" : "";
-  if (record.end_reason == "time") return "the time asked for" + note;
-  if (record.end_reason == "displacement")
-    return fmt::format("displacement above {:g} m{}", input.stop.displacement, note);
-  if (record.end_reason == "after_onset") return fmt::format("{:g} s after the onset{}", input.stop.after_onset, note);
-  return record.end_reason;
+  switch (summary.end_reason) {
+    case couple::EndReason::time:
+      return "the time asked for" + note;
+    case couple::EndReason::displacement:
+      return fmt::format("displacement above {:g} m{}", input.stop.displacement, note);
+    case couple::EndReason::after_onset:
+      return fmt::format("{:g} s after the onset{}", input.stop.after_onset, note);
+    case couple::EndReason::at_rest:
+      return "the slide has come to rest";
+    case couple::EndReason::running:
+    case couple::EndReason::interrupted:
+    case couple::EndReason::error:
+      break;
+  }
+  return std::string(couple::text_of(summary.end_reason));
 }
 
 /// In seconds, and in its own unit if that is another.
@@ -107,27 +117,40 @@ void add_motion(const couple::Case& input, const couple::Summary& summary, const
   line("zone at the end", fmt::format("{} ({})", zone_text(summary.zone_at_end), threshold));
 }
 
+/// "1.5 m3/m in"
+std::string amount_text(const couple::WaterBudget& water, const couple::WaterAmount& amount) {
+  return fmt::format("{:.4g} {} {}", water.*amount.value, amount.unit, amount.phrase);
+}
+
+/// The water's books: what came in and out, and the rain and what the air took if there were any.
+void add_water(const couple::WaterBudget& water, const auto& line) {
+  namespace amounts = couple::water_amounts;
+  const auto text = [&water](const couple::WaterAmount& amount) { return amount_text(water, amount); };
+  line("water",
+       fmt::format("{}, {}, {}, {} {:.1e}", text(amounts::infiltration), text(amounts::outflow), text(amounts::storage),
+                   amounts::relative_balance_error.phrase, water.relative_balance_error));
+  if (water.rain > 0.0) {
+    line("rain",
+         fmt::format("{}: {}, {}", text(amounts::rain), text(amounts::rain_infiltration), text(amounts::run_off)));
+  }
+  if (water.seepage + water.evaporation > 0.0) {
+    line("to the air", fmt::format("{}, {}", text(amounts::seepage), text(amounts::evaporation)));
+  }
+}
+
 }  // namespace
 
-std::string report_text(const couple::Case& input, const couple::Summary& summary, const RunRecord& record) {
-  const couple::WaterBudget& water = summary.water;
+std::string report_text(const couple::Case& input, const couple::RunSummary& run) {
+  const couple::Summary& summary = run.found;
   std::string text = fmt::format("{}\n", input.title);
   const auto line = [&text](std::string_view name, const std::string& content) {
     text += fmt::format("  {:<15}  {}\n", name, content);
   };
   line("verdict", verdict_text(input, summary));
-  line("end", fmt::format("{} ({})", seconds_text(summary.time), end_text(input, summary, record)));
+  line("end", fmt::format("{} ({})", seconds_text(summary.time), end_text(input, summary)));
   if (summary.verdict != couple::Verdict::water_alone) add_motion(input, summary, line);
   line("suction left", fmt::format("{:.1f} kPa at most", summary.zone_at_end.largest_suction / 1000.0));
-  line("water", fmt::format("{:.4g} m3/m in, {:.4g} m3/m out, {:.4g} m3/m stored, error {:.1e}", water.infiltration,
-                            water.outflow, water.storage, water.error));
-  if (water.rain > 0.0) {
-    line("rain", fmt::format("{:.4g} m3/m: {:.4g} m3/m infiltrated, {:.4g} m3/m ran off", water.rain,
-                             water.rain_infiltration, water.run_off));
-  }
-  if (water.seepage + water.evaporation > 0.0) {
-    line("to the air", fmt::format("{:.4g} m3/m seeped out, {:.4g} m3/m evaporated", water.seepage, water.evaporation));
-  }
+  add_water(summary.water, line);
   if (summary.largest_unbalanced_ratio > 0.0) {
     line("clock",
          fmt::format("ahead of the soil with at most {:.2g} of the weight unbalanced (limit {:g} at the start, {:.2g} "
@@ -135,7 +158,7 @@ std::string report_text(const couple::Case& input, const couple::Summary& summar
                      summary.largest_unbalanced_ratio, input.clock.unbalanced_limit, summary.unbalanced_limit));
   }
   line("cost", fmt::format("{} particles, {} steps, {:.1f} s on {} thread{}", summary.particles, summary.steps,
-                           record.wall_time, record.threads, record.threads == 1 ? "" : "s"));
+                           run.wall_time, run.threads, run.threads == 1 ? "" : "s"));
   if (summary.unsettled_steps > 0) {
     line("unsettled",
          fmt::format("{} steps whose pore pressures kept changing to the last iteration; what that left of the "

@@ -3,14 +3,12 @@
 #include <string>
 
 #include "slope/couple/case.hpp"
-#include "slope/couple/simulation.hpp"
-#include "summary_json.hpp"
+#include "slope/couple/results.hpp"
 
 namespace slope::tools {
 
 /// What a reader wants to know at the end of a run, in a few lines.
-[[nodiscard]] std::string report_text(const couple::Case& input, const couple::Summary& summary,
-                                      const RunRecord& record);
+[[nodiscard]] std::string report_text(const couple::Case& input, const couple::RunSummary& run);
 
 /// "stands until the end, 40 min", "fails in the rain": what a run says of the slope, in the first line of its report.
 [[nodiscard]] std::string verdict_text(const couple::Case& input, const couple::Summary& summary);

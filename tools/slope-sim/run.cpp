@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <ctime>
+#include <optional>
 
 #include "checkpoint_request.hpp"
 #include "interruption.hpp"
@@ -14,6 +15,7 @@
 #include "report.hpp"
 #include "run_writer.hpp"
 #include "slope/couple/read_case.hpp"
+#include "slope/couple/results.hpp"
 #include "slope/couple/simulation.hpp"
 #include "standard_streams.hpp"
 
@@ -54,9 +56,6 @@ class Run {
       input_.path = writer_.checkpoint()->case_path;
       earlier_time_ = wall_time_of(*writer_.checkpoint());
     }
-    record_.version = SLOPE_VERSION;
-    record_.end_reason = "running";
-    record_.threads = options.threads;
   }
 
   ExitCode execute() {
@@ -72,7 +71,7 @@ class Run {
   ExitCode carry_out() {
     log_beginning();
     const bool goes_on = writer_.checkpoint() && started(*writer_.checkpoint());
-    if (goes_on && simulation_.summary().end_reason != "running") {
+    if (goes_on && simulation_.summary().end_reason != couple::EndReason::running) {
       progress_.say(fmt::format("{}: the run has come to its end already", writer_.folder().string()));
       return ExitCode::fine;
     }
@@ -85,17 +84,20 @@ class Run {
     } catch (const couple::SimulationError& error) {
       // that soil in free fall cannot be computed any more does not change what is known of the slope
       const bool known = !simulation_.summary().stands_before;
-      return break_off("error", error.what(), known ? ExitCode::fine : ExitCode::broken_physics);
+      broken_off_ = couple::EndReason::error;
+      message_ = error.what();
+      return break_off(known ? ExitCode::fine : ExitCode::broken_physics);
     }
-    if (record_.end_reason == "interrupted") return break_off("interrupted", record_.message, ExitCode::interrupted);
-    finish();
+    if (broken_off_) return break_off(ExitCode::interrupted);
+    conclude();
+    write_checkpoint();
     return ExitCode::fine;
   }
 
   /// The summary tells why the run ended, if the disk takes that much.
   void leave_word(const std::string& message) {
-    record_.end_reason = "error";
-    record_.message = message;
+    broken_off_ = couple::EndReason::error;
+    message_ = message;
     try {
       write_summary();
     } catch (const couple::FileError&) {  // what is on disk is as far as it came
@@ -135,8 +137,8 @@ class Run {
       return !interrupted();
     });
     if (!found) {
-      record_.end_reason = "interrupted";
-      record_.message = "interrupted before the start: the initial state is as far as it came";
+      broken_off_ = couple::EndReason::interrupted;
+      message_ = "interrupted before the start: the initial state is as far as it came";
       return false;
     }
     progress_.begin_steps();
@@ -167,7 +169,7 @@ class Run {
   /// @return whether the run is over.
   bool advance() {
     if (interrupted()) {
-      record_.end_reason = "interrupted";
+      broken_off_ = couple::EndReason::interrupted;
       return true;
     }
     const couple::Event event = simulation_.advance();
@@ -211,32 +213,25 @@ class Run {
     write_summary();
   }
 
-  void finish() {
-    record_.end_reason = simulation_.summary().end_reason;
-    conclude();
-    write_checkpoint();
-  }
-
   /// Saves the state that the run was left in.
-  ExitCode break_off(const std::string& reason, const std::string& message, ExitCode code) {
-    record_.end_reason = reason;
-    record_.message = message;
+  ExitCode break_off(ExitCode code) {
     if (has_started_) write_checkpoint();
-    if (!message.empty()) {
+    if (!message_.empty()) {
       progress_.clear();
-      std::fprintf(stderr, "slope-sim: %s\n", message.c_str());
-      writer_.log(message);
+      std::fprintf(stderr, "slope-sim: %s\n", message_.c_str());
+      writer_.log(message_);
     }
-    if (simulation_.progress().steps > 0 || reason == "interrupted") {
-      writer_.add_snapshot(simulation_.particles(), reason);
+    if (simulation_.progress().steps > 0 || broken_off_ == couple::EndReason::interrupted) {
+      writer_.add_snapshot(simulation_.particles(), couple::text_of(*broken_off_));
     }
     conclude();
     return code;
   }
 
   void conclude() {
-    write_summary();
-    const std::string report = report_text(input_, simulation_.summary(), record_);
+    const couple::RunSummary run = summary();
+    writer_.write_summary(run);
+    const std::string report = report_text(input_, run);
     writer_.log(report);
     if (options_.quiet) return;
     progress_.clear();
@@ -244,10 +239,17 @@ class Run {
     say(fmt::format("  {:<15}  {}\n", "written to", writer_.folder().string()));
   }
 
-  void write_summary() {
-    record_.wall_time = earlier_time_ + progress_.elapsed();
-    writer_.write_summary(input_, simulation_.summary(), record_);
+  /// What the run has come to by now.
+  [[nodiscard]] couple::RunSummary summary() const {
+    couple::RunSummary run = couple::run_summary(input_, simulation_.summary());
+    if (broken_off_) run.found.end_reason = *broken_off_;
+    run.message = message_;
+    run.threads = static_cast<std::size_t>(options_.threads);
+    run.wall_time = earlier_time_ + progress_.elapsed();
+    return run;
   }
+
+  void write_summary() { writer_.write_summary(summary()); }
 
   const RunOptions& options_;
   std::vector<couple::Problem> warnings_;  // of the case
@@ -255,7 +257,8 @@ class Run {
   RunWriter writer_;
   couple::Simulation simulation_;
   ProgressLine progress_;
-  RunRecord record_;
+  std::optional<couple::EndReason> broken_off_;           // by what, before its end
+  std::string message_;                                   // why
   bool has_started_ = false;                              // the initial state has been found
   double earlier_time_ = 0.0;                             // wall time before this program went on with the run (s)
   double last_checkpoint_ = 0.0, checkpoint_cost_ = 0.0;  // wall time when it was done, and that it took (s)

@@ -201,8 +201,8 @@ void RunWriter::add_snapshot(const couple::ParticleTable& particles, std::string
   particles_.value().write(particles, label);
 }
 
-void RunWriter::write_summary(const couple::Case& input, const couple::Summary& summary, const RunRecord& record) {
-  write_at_once(folder_ / "summary.json", summary_json(input, summary, record));
+void RunWriter::write_summary(const couple::RunSummary& summary) {
+  write_at_once(folder_ / "summary.json", couple::summary_json(summary));
 }
 
 void RunWriter::log(std::string_view lines) {

@@ -11,8 +11,8 @@
 #include "particle_file.hpp"
 #include "slope/couple/case.hpp"
 #include "slope/couple/checkpoint.hpp"
+#include "slope/couple/results.hpp"
 #include "slope/couple/simulation.hpp"
-#include "summary_json.hpp"
 
 namespace slope::tools {
 
@@ -45,7 +45,7 @@ class RunWriter {
   void add_history(const std::vector<double>& row);
   void add_budget(const std::vector<double>& row);
   void add_snapshot(const couple::ParticleTable& particles, std::string_view label);
-  void write_summary(const couple::Case& input, const couple::Summary& summary, const RunRecord& record);
+  void write_summary(const couple::RunSummary& summary);
   /// @param started  whether the initial state has been found; if not, the run has to begin anew
   /// @param wall_time  that the run has taken (s)
   void write_checkpoint(const couple::Case& input, couple::SimulationState state, bool started, double wall_time);

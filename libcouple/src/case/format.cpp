@@ -34,20 +34,6 @@ Document quantity_schema(Dimension dimension, const Range& range) {
   return either;
 }
 
-std::string kind_of(const Document& node) {
-  switch (node.kind) {
-    case Document::Kind::empty:
-      return "nothing";
-    case Document::Kind::value:
-      return fmt::format("\"{}\"", shortened(node.value));
-    case Document::Kind::list:
-      return "a list";
-    case Document::Kind::map:
-      return "a map of keys";
-  }
-  return "";
-}
-
 }  // namespace
 
 Format<double> quantity(Dimension dimension, const Range& range) {
@@ -244,6 +230,20 @@ bool expect_map(const Input& input, std::size_t least_entries) {
   if (input.node().children.size() >= least_entries) return true;
   input.problem(fmt::format("needs at least {} entr{}", least_entries, least_entries == 1 ? "y" : "ies"));
   return false;
+}
+
+std::string kind_of(const Document& node) {
+  switch (node.kind) {
+    case Document::Kind::empty:
+      return "nothing";
+    case Document::Kind::value:
+      return fmt::format("\"{}\"", shortened(node.value));
+    case Document::Kind::list:
+      return "a list";
+    case Document::Kind::map:
+      return "a map of keys";
+  }
+  return "";
 }
 
 bool is_text(const Document& value) {

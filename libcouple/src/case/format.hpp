@@ -57,6 +57,8 @@ struct FieldHead {
 void report_keys(const Input& map, const std::vector<FieldHead>& fields);
 [[nodiscard]] bool expect_list(const Input& input, std::size_t least_items);
 [[nodiscard]] bool expect_map(const Input& input, std::size_t least_entries);
+/// What stands there, for messages: "nothing", "a list", or the value between quotes.
+[[nodiscard]] std::string kind_of(const Document& node);
 /// Whether a value is more than empty and no number, true or false.
 [[nodiscard]] bool is_text(const Document& value);
 /// The text of a value; none, and a problem, if it is a list or a map.

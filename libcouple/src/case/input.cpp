@@ -51,6 +51,10 @@ void Input::warning(std::string message) const {
   warning_in(node_->file, node_->line, std::move(message));
 }
 
+void Input::warning_with(std::string_view name, std::string message) const {
+  Input(*this, *node_, joined_key(key_, name)).warning(std::move(message));
+}
+
 void Input::warning_in(const std::string& file, int line, std::string message) const {
   if (warnings_ != nullptr) warnings_->push_back({file, line, key_, std::move(message)});
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,6 +26,8 @@ class Input {
   void problem(std::string message) const;
   /// Says what may be meant here but is seldom right.
   void warning(std::string message) const;
+  /// Says what may be meant by an entry that is missing from this map.
+  void warning_with(std::string_view name, std::string message) const;
   /// The same of a line of another file that this place names.
   void warning_in(const std::string& file, int line, std::string message) const;
   /// Says what is wrong in a line of another file that this place names.
@@ -57,9 +60,17 @@ inline constexpr const char* override_source = "--set";
 /// The dotted key of an entry of a map, or of an item of a list.
 [[nodiscard]] std::string joined_key(const std::string& parent, std::string_view name);
 
-/// Reads YAML text into a document, every node with its file and line.
+/// What a YAML text should be, for messages, and how long the texts in it may be.
+struct YamlKind {
+  std::string content = "case";
+  std::string language = "YAML";
+  std::size_t longest_text = 1000;  ///< (bytes)
+};
+
+/// Reads YAML text, or JSON, which is YAML too, into a document, every node with its file and line.
 /// Text that is not YAML, duplicate keys and more than one document are put into the list of problems.
-[[nodiscard]] Document parse_yaml(const std::string& text, const std::string& file, std::vector<Problem>& problems);
+[[nodiscard]] Document parse_yaml(const std::string& text, const std::string& file, std::vector<Problem>& problems,
+                                  const YamlKind& kind = {});
 
 /// Applies "dotted.key=value" to the document. List items go by their number, from 0, or by their name.
 void apply_override(Document& root, const std::string& assignment, std::vector<Problem>& problems);

@@ -16,11 +16,10 @@ namespace {
 constexpr int deepest_nesting = 30;
 constexpr std::size_t most_nodes = 500'000;  // anchors can make much of little
 constexpr std::size_t most_keys = 10'000;    // of one map
-constexpr std::size_t longest_text = 1000;   // bytes
 constexpr std::size_t longest_key = 100;     // bytes
 
-/// The file holds what no case does.
-struct NoCase {
+/// The file holds what cannot be what it is taken for.
+struct WrongKind {
   int line;
   std::string message;
 };
@@ -28,26 +27,29 @@ struct NoCase {
 /// Turns yaml-cpp's nodes into documents and notes what a case file cannot hold.
 class Converter {
  public:
-  Converter(const std::string& file, std::vector<Problem>& problems) : file_(file), problems_(problems) {}
+  Converter(const std::string& file, std::vector<Problem>& problems, const YamlKind& kind)
+      : file_(file), problems_(problems), kind_(kind) {}
 
   Document convert(const YAML::Node& node, const std::string& path, int line, int depth = 0) {
     Document document;
     document.file = file_;
     document.line = node.Mark().is_null() ? line : node.Mark().line + 1;
-    if (depth > deepest_nesting) throw NoCase{document.line, "nested too deeply for a case file"};
+    if (depth > deepest_nesting)
+      throw WrongKind{document.line, fmt::format("nested too deeply for a {} file", kind_.content)};
     if (++nodes_ > most_nodes) {
-      throw NoCase{document.line, fmt::format("more than {} values and lists up to here, anchors counted wherever they "
-                                              "are used; put long lists into a table",
-                                              most_nodes)};
+      throw WrongKind{document.line,
+                      fmt::format("more than {} values and lists up to here, anchors counted wherever they "
+                                  "are used; put long lists into a table",
+                                  most_nodes)};
     }
     if (node.IsScalar()) {
       document.kind = Document::Kind::value;
       document.value = node.Scalar();
-      if (document.value.size() > longest_text) {
+      if (document.value.size() > kind_.longest_text) {
         problems_.push_back({file_, document.line, path,
                              fmt::format("has {} letters, at most {} are possible; is a quotation mark not closed?",
-                                         document.value.size(), longest_text)});
-        document.value.resize(longest_text);
+                                         document.value.size(), kind_.longest_text)});
+        document.value.resize(kind_.longest_text);
       }
       document.quoted = node.Tag() == "!";
     } else if (node.IsSequence()) {
@@ -59,7 +61,8 @@ class Converter {
     } else if (node.IsMap()) {
       document.kind = Document::Kind::map;
       if (node.size() > most_keys) {
-        throw NoCase{document.line, fmt::format("a map of {} keys; at most {} are possible", node.size(), most_keys)};
+        throw WrongKind{document.line,
+                        fmt::format("a map of {} keys; at most {} are possible", node.size(), most_keys)};
       }
       for (const auto& entry : node) add_entry(document, entry.first, entry.second, path, depth);
     }
@@ -93,6 +96,7 @@ class Converter {
 
   const std::string& file_;
   std::vector<Problem>& problems_;
+  const YamlKind& kind_;
   std::size_t nodes_ = 0;
 };
 
@@ -130,9 +134,10 @@ Document* find_item(Document& list, const std::string& word) {
 
 }  // namespace
 
-Document parse_yaml(const std::string& text, const std::string& file, std::vector<Problem>& problems) {
+Document parse_yaml(const std::string& text, const std::string& file, std::vector<Problem>& problems,
+                    const YamlKind& kind) {
   if (text.find('\0') != std::string::npos || !is_utf8(text)) {
-    problems.push_back({file, 0, "", "not YAML: it has bytes that no text has"});
+    problems.push_back({file, 0, "", fmt::format("not {}: it has bytes that no text has", kind.language)});
     return {};
   }
   try {
@@ -144,15 +149,16 @@ Document parse_yaml(const std::string& text, const std::string& file, std::vecto
     }
     if (documents.size() > 1) {
       problems.push_back(
-          {file, documents[1].Mark().line + 1, "", "a second YAML document begins here; a case is one document"});
+          {file, documents[1].Mark().line + 1, "",
+           fmt::format("a second {} document begins here; a {} is one document", kind.language, kind.content)});
       return {};
     }
-    return Converter(file, problems).convert(documents.front(), "", 1);
-  } catch (const NoCase& found) {
+    return Converter(file, problems, kind).convert(documents.front(), "", 1);
+  } catch (const WrongKind& found) {
     problems.push_back({file, found.line, "", found.message});
     return {};
   } catch (const YAML::Exception& error) {
-    problems.push_back({file, error.mark.line + 1, "", fmt::format("not YAML: {}", error.msg)});
+    problems.push_back({file, error.mark.line + 1, "", fmt::format("not {}: {}", kind.language, error.msg)});
     return {};
   }
 }

@@ -1,13 +1,21 @@
 #include "slope/couple/simulation.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "simulation_run.hpp"
+#include "slope/couple/water_amounts.hpp"
 #include "slope/solid/tensor.hpp"
 #include "turn_back.hpp"
 
 namespace slope::couple {
+
+namespace {
+
+constexpr std::array history_amounts{water_amounts::infiltration, water_amounts::outflow, water_amounts::storage};
+
+}  // namespace
 
 Simulation::Simulation(Case input, int threads)
     : run_(std::make_unique<Run>(std::move(input), std::nullopt, threads)) {}
@@ -110,9 +118,14 @@ ParticleTable Simulation::particles() const {
 }
 
 std::vector<HistoryColumn> Simulation::history_columns() const {
-  std::vector<HistoryColumn> columns{{"time", "s"},          {"clock factor", "-"},     {"largest displacement", "m"},
-                                     {"kinetic ratio", "-"}, {"unbalanced ratio", "-"}, {"water in", "m3/m"},
-                                     {"water out", "m3/m"},  {"water stored", "m3/m"}};
+  std::vector<HistoryColumn> columns{{"time", "s"},
+                                     {"clock factor", "-"},
+                                     {"largest displacement", "m"},
+                                     {"kinetic ratio", "-"},
+                                     {"unbalanced ratio", "-"}};
+  for (const WaterAmount& amount : history_amounts) {
+    columns.push_back({"water " + std::string(amount.phrase), std::string(amount.unit)});
+  }
   for (const VerificationPoint& point : run_->input.points) {
     columns.push_back({point.name + " displacement", "m"});
     columns.push_back({point.name + " suction", "Pa"});
@@ -133,14 +146,11 @@ std::vector<double> Simulation::history_row() const {
                                         0.5 * solid::second_invariant(stress) / elastic.shear_modulus());
   }
   const auto ratio = [](double a, double b) { return b > 0.0 ? a / b : 0.0; };
-  std::vector<double> row{s.now.time,
-                          s.now.clock_factor,
-                          s.now.largest_displacement,
+  std::vector<double> row{s.now.time, s.now.clock_factor, s.now.largest_displacement,
                           ratio(balance.kinetic_energy, elastic_energy),
-                          ratio(balance.unbalanced_force, balance.weight),
-                          s.now.result.water.infiltration,
-                          s.now.result.water.outflow,
-                          s.mixture.water.stored_water() - s.now.first_storage};
+                          ratio(balance.unbalanced_force, balance.weight)};
+  const WaterBudget water = s.water_budget();
+  for (const WaterAmount& amount : history_amounts) row.push_back(water.*amount.value);
   for (const std::size_t p : s.followed) {
     row.push_back(std::hypot(soil.ux[p], soil.uy[p]));
     row.push_back(s.mixture.water.suction()[p]);
@@ -149,18 +159,21 @@ std::vector<double> Simulation::history_row() const {
 }
 
 std::vector<HistoryColumn> Simulation::budget_columns() {
-  return {{"time", "s"},       {"rain", "m3/m"},        {"rain infiltration", "m3/m"}, {"run-off", "m3/m"},
-          {"seepage", "m3/m"}, {"evaporation", "m3/m"}, {"infiltration", "m3/m"},      {"outflow", "m3/m"},
-          {"storage", "m3/m"}, {"error", "m3/m"}};
+  std::vector<HistoryColumn> columns{{"time", "s"}};
+  const auto add = [&columns](const WaterAmount& amount) {
+    columns.push_back({std::string(amount.name), std::string(amount.unit)});
+  };
+  for (const WaterAmount& amount : water_amounts::all) add(amount);
+  add(water_amounts::balance_error);
+  return columns;
 }
 
 std::vector<double> Simulation::budget_row() const {
   const WaterBudget water = run_->water_budget();
-  return {run_->now.time,          water.rain,
-          water.rain_infiltration, water.run_off,
-          water.seepage,           water.evaporation,
-          water.infiltration,      water.outflow,
-          water.storage,           water.infiltration - water.outflow - water.storage};
+  std::vector<double> row{run_->now.time};
+  for (const WaterAmount& amount : water_amounts::all) row.push_back(water.*amount.value);
+  row.push_back(water.*water_amounts::balance_error.value);
+  return row;
 }
 
 Summary Simulation::summary() const {

@@ -38,7 +38,8 @@ WaterBudget Simulation::Run::water_budget() const {
   WaterBudget water = now.result.water;
   water.storage = mixture.water.stored_water() - now.first_storage;
   const double turnover = std::max(water.infiltration, water.outflow);
-  water.error = turnover > 0.0 ? (water.infiltration - water.outflow - water.storage) / turnover : 0.0;
+  water.balance_error = water.infiltration - water.outflow - water.storage;
+  water.relative_balance_error = turnover > 0.0 ? water.balance_error / turnover : 0.0;
   return water;
 }
 
@@ -99,15 +100,15 @@ bool Simulation::Run::comes_to_rest() {
 }
 
 void Simulation::Run::check_end() {
-  const auto end = [this](const char* reason) { now.result.end_reason = reason; };
+  EndReason& reason = now.result.end_reason;
   if (due(input.stop.time)) {
-    end("time");
+    reason = EndReason::time;
   } else if (now.largest_displacement >= input.stop.displacement) {
-    end("displacement");
+    reason = EndReason::displacement;
   } else if (now.result.onset_time && due(*now.result.onset_time + input.stop.after_onset)) {
-    end("after_onset");
+    reason = EndReason::after_onset;
   } else if (comes_to_rest()) {
-    end("at_rest");
+    reason = EndReason::at_rest;
   }
 }
 
@@ -118,7 +119,7 @@ Verdict Simulation::Run::verdict() const {
     const bool slides = now.result.runaway_onset || zone().area > 0.0;
     return slides ? Verdict::fails : Verdict::moves;
   }
-  return now.result.end_reason == "time" ? Verdict::stands : Verdict::undecided;
+  return now.result.end_reason == EndReason::time ? Verdict::stands : Verdict::undecided;
 }
 
 }  // namespace slope::couple

@@ -74,7 +74,6 @@ Simulation::Run::Run(Case c, std::optional<bool> mirrored, int threads)
       snapshot_times(input.output.snapshots) {
   now.time_step = longest_step(scheme, mixture, input.numerics.courant_number);
   now.first_storage = mixture.water.stored_water();
-  now.result.end_reason = running;
   now.result.onset_criterion = input.onset_displacement;
   now.result.particles = particles.x.size();
   for (const double mark : displacement_marks) now.result.displacement_times.push_back({mark, {}});

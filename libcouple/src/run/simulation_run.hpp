@@ -22,8 +22,7 @@ namespace slope::couple {
 struct Simulation::Run {
   Run(Case given, std::optional<bool> mirrored, int threads);
 
-  static constexpr const char* running = "running";  // the reason of the end before it has come
-  static constexpr double sliver = 1.0e-6;           // share of a step by which two times may differ and be the same
+  static constexpr double sliver = 1.0e-6;  // share of a step by which two times may differ and be the same
 
   // Outputs that are due.
   struct Due {
@@ -60,7 +59,7 @@ struct Simulation::Run {
   void measure_pressure();
   [[nodiscard]] bool comes_to_rest();
   void check_end();
-  [[nodiscard]] bool finished() const { return now.result.end_reason != running; }
+  [[nodiscard]] bool finished() const { return now.result.end_reason != EndReason::running; }
   [[nodiscard]] Verdict verdict() const;
 
   // given once

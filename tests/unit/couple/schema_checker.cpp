@@ -1,6 +1,7 @@
 #include "schema_checker.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <regex>
 
 namespace slope::couple::test {
@@ -64,7 +65,7 @@ class Checker {
     const bool array = document_.kind == Document::Kind::list;
     const auto size = [&] { return static_cast<double>(document_.children.size()); };
     if (name == "$schema" || name == "title" || name == "description" || name == "default") return;
-    if (name == "type") return expect(type_of(document_) == keyword.value, keyword);
+    if (name == "type") return expect(has_type(keyword), keyword);
     if (name == "const") return expect(equal(document_, keyword), keyword);
     if (name == "enum") {
       return expect(std::any_of(keyword.children.begin(), keyword.children.end(),
@@ -100,6 +101,13 @@ class Checker {
     report("the checker does not know the keyword " + name);
   }
 
+  [[nodiscard]] bool has_type(const Document& type) const {
+    if (type.kind == Document::Kind::list) {
+      return std::any_of(type.children.begin(), type.children.end(), [this](const auto& t) { return has_type(t); });
+    }
+    if (type.value != "integer") return type_of(document_) == type.value;
+    return is_number(document_) && std::stod(document_.value) == std::floor(std::stod(document_.value));
+  }
   void check_items(const Document& items) {
     if (document_.kind != Document::Kind::list) return;
     for (std::size_t i = 0; i < document_.children.size(); ++i)

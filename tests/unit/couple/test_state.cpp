@@ -45,7 +45,7 @@ TEST_P(State, IsAllThatARunNeedsToGoOn) {
   Simulation original(input);
   original.initialise();
   for (int k = 0; k < 3; ++k) original.advance();
-  ASSERT_EQ(original.summary().end_reason, "running");
+  ASSERT_EQ(original.summary().end_reason, EndReason::running);
   Simulation copy = original, again(input, original.state(), 2);
   EXPECT_TRUE(again.state() == original.state());
   const Rows rows = finish(original);

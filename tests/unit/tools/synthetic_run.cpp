@@ -36,6 +36,21 @@ void write_history(const fs::path& folder, double slide) {
 
 }  // namespace
 
+couple::RunSummary summary_of_a_slide(double onset) {
+  couple::Summary found;
+  found.end_reason = couple::EndReason::displacement;
+  found.verdict = couple::Verdict::fails;
+  found.time = 640.0;
+  found.onset_time = onset;
+  couple::Case input;
+  input.path = "cases/some.yaml";
+  return couple::run_summary(input, found);
+}
+
+void write_summary(const fs::path& folder, const couple::RunSummary& summary) {
+  std::ofstream(folder / "summary.json") << couple::summary_json(summary);
+}
+
 void write_slope_run(const fs::path& folder, double slide) {
   write_case(folder, couple::read_case(fs::path(SLOPE_CASES) / "paper/slope-w2.yaml"));
   ParticleFileSeries series(folder);
@@ -44,9 +59,10 @@ void write_slope_run(const fs::path& folder, double slide) {
   series.write(synthetic_slope(459.1, 0.05, 1.0), "onset");
   series.write(synthetic_slope(640.0, slide, 1.8), "end");
   write_history(folder, slide);
-  std::ofstream(folder / "summary.json") << R"({"case": "cases/some.yaml",
-    "end": {"reason": "displacement", "time_s": 640}, "onset": {"time_s": 459.1, "criterion": "x"},
-    "failure_zone": {"at_end": {"length_m": 12.3, "height_m": 6.8}}})";
+  couple::RunSummary summary = summary_of_a_slide(459.1);
+  summary.found.zone_at_end.length = 12.3;
+  summary.found.zone_at_end.height = 6.8;
+  write_summary(folder, summary);
 }
 
 void write_column_run(const fs::path& folder) {
@@ -58,8 +74,11 @@ void write_column_run(const fs::path& folder) {
   series.write(synthetic_column(300.0, 0.4));
   series.write(synthetic_column(7200.0, 0.9), "end");
   std::ofstream(folder / "history.csv") << "time [s],top suction [Pa]\n0,0\n7200,9000\n";
-  std::ofstream(folder / "summary.json") << R"({"case": "liakopoulos.yaml", "end": {"reason": "time", "time_s": 7200},
-    "onset": null, "failure_zone": {"at_end": {"length_m": 0, "height_m": 0}}})";
+  couple::Summary found;
+  found.end_reason = couple::EndReason::time;
+  found.time = 7200.0;
+  input.path = "liakopoulos.yaml";
+  write_summary(folder, couple::run_summary(input, found));
 }
 
 }  // namespace slope::tools::test

@@ -30,11 +30,11 @@ TEST(RunFolder, GivesTheStandardPictures) {
   const auto run = read_run_folder(scratch.path() / "run");
   EXPECT_EQ(run.snapshots.size(), 4U);
   EXPECT_EQ(run.onset, 459.1);
-  EXPECT_TRUE(run.complete);
-  EXPECT_EQ(run.case_file, "cases/some.yaml");
-  ASSERT_TRUE(run.zone.has_value());
-  EXPECT_EQ(run.zone->length, 12.3);
-  EXPECT_EQ(run.zone->height, 6.8);
+  ASSERT_TRUE(run.summary.has_value());
+  EXPECT_EQ(run.summary->found.end_reason, couple::EndReason::displacement);
+  EXPECT_EQ(run.summary->case_file, "cases/some.yaml");
+  EXPECT_EQ(run.summary->found.zone_at_end.length, 12.3);
+  EXPECT_TRUE(run.notes.empty());
 
   const auto written = write_pictures(run, {run.path / "figures", 400, {}, {}}).written;
   EXPECT_EQ(names_of(written),
@@ -49,8 +49,9 @@ TEST(RunFolder, GivesTheStandardPictures) {
 TEST(RunFolder, TellsTheOnsetThatTheCaseDidNotChoose) {
   RunFolder run;
   EXPECT_FALSE(other_onset(run));
-  run.onset = run.displacement_onset = 590.0;
-  run.runaway_onset = 650.0;
+  run.summary = summary_of_a_slide(590.0);
+  run.summary->found.displacement_onset = 590.0;
+  run.summary->found.runaway_onset = 650.0;
   ASSERT_TRUE(other_onset(run));
   EXPECT_EQ(other_onset(run)->time, 650.0);
   EXPECT_EQ(other_onset(run)->name, "runs away");
@@ -84,8 +85,25 @@ TEST(RunFolder, OfAKilledRunCanBeRead) {
   std::ofstream(scratch.path() / "history.csv", std::ios::app) << "641,1,0.9";
   const auto run = read_run_folder(scratch.path());
   EXPECT_EQ(run.onset, 459.1) << "from the snapshot";
-  EXPECT_FALSE(run.complete);
+  EXPECT_FALSE(run.summary);
   EXPECT_EQ(run.history.columns.front().size(), 4U) << "the broken row is left out";
+}
+
+TEST(RunFolder, SaysWhatOfAnotherVersionsSummaryItDoesNotUnderstand) {
+  const ScratchFolder scratch;
+  write_slope_run(scratch.path());
+  couple::RunSummary summary = summary_of_a_slide(300.0);
+  summary.version = "99.1";
+  const std::string text = couple::summary_json(summary);
+  std::ofstream(scratch.path() / "summary.json") << text;
+  EXPECT_TRUE(read_run_folder(scratch.path()).notes.empty()) << "it has all the same keys";
+  std::ofstream(scratch.path() / "summary.json") << "{\"colour\": 1, " << text.substr(1);
+  const auto run = read_run_folder(scratch.path());
+  EXPECT_EQ(run.onset, 300.0);
+  ASSERT_EQ(run.notes.size(), 2u);
+  EXPECT_NE(run.notes[0].find("summary.json:4: version: \"99.1\", and this program is"), std::string::npos)
+      << run.notes[0];
+  EXPECT_NE(run.notes[1].find("colour: unknown key"), std::string::npos) << run.notes[1];
 }
 
 TEST(RunFolder, SaysWhatIsMissing) {

@@ -62,20 +62,19 @@ std::string text_of(const fs::path& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-// A summary that tells the time of the onset and the suction left, and nothing else.
-void write_summary(const fs::path& folder, double onset, double suction_left) {
-  std::ofstream(folder / "summary.json") << R"({"end": {"reason": "displacement"}, "onset": {"time_s": )" << onset
-                                         << R"(}, "failure_zone": {"at_end": {"length_m": 1, "height_m": 1, )"
-                                         << R"("largest_suction_Pa": )" << suction_left << "}}}";
+void write_slide(const fs::path& folder, double onset, double suction_left) {
+  couple::RunSummary summary = summary_of_a_slide(onset);
+  summary.found.zone_at_end.largest_suction = suction_left;
+  write_summary(folder, summary);
 }
 
 TEST(PaperReport, JudgesByTheSummaries) {
   const ScratchFolder scratch;
   const auto folders = slope_runs(scratch.path(), {"slope-w1", "slope-w2", "slope-w3"});
   const auto report = [&](double third_onset) {
-    write_summary(folders[0], 100.0, 61000.0);
-    write_summary(folders[1], 200.0, 62000.0);
-    write_summary(folders[2], third_onset, 63000.0);
+    write_slide(folders[0], 100.0, 61000.0);
+    write_slide(folders[1], 200.0, 62000.0);
+    write_slide(folders[2], third_onset, 63000.0);
     write_paper_report(read_paper_runs(folders), scratch.path() / "report.md");
     return text_of(scratch.path() / "report.md");
   };
@@ -91,12 +90,12 @@ TEST(PaperReport, JudgesByTheSummaries) {
 TEST(Comparison, SetsRunsBesideTheFirst) {
   const ScratchFolder scratch;
   const auto folders = slope_runs(scratch.path(), {"one", "two"});
-  write_summary(folders[0], 100.0, 61000.0);
-  write_summary(folders[1], 93.0, 62000.0);
+  write_slide(folders[0], 100.0, 61000.0);
+  write_slide(folders[1], 93.0, 62000.0);
   write_comparison(folders, scratch.path() / "table.md");
   const std::string table = text_of(scratch.path() / "table.md");
-  EXPECT_NE(table.find("| - | 100.0 s | +0.0 % | - |"), std::string::npos) << table;
-  EXPECT_NE(table.find("| - | 93.0 s | -7.0 % | - |"), std::string::npos) << table;
+  EXPECT_NE(table.find("| fails | - | 100.0 s | +0.0 % | - |"), std::string::npos) << table;
+  EXPECT_NE(table.find("| fails | - | 93.0 s | -7.0 % | - |"), std::string::npos) << table;
   EXPECT_NE(table.find("| 62.0 kPa |"), std::string::npos) << table;
 }
 
@@ -114,7 +113,9 @@ TEST(PaperFigures, NameTheRunsThatAreMissing) {
 TEST(PaperFigures, SayWhatARunLacks) {
   const ScratchFolder scratch;
   const auto folders = slope_runs(scratch.path(), {"slope-w1", "slope-w2", "slope-w3"});
-  std::ofstream(folders[0] / "summary.json") << R"({"end": {"reason": "running"}})";
+  couple::RunSummary unfinished = summary_of_a_slide(300.0);
+  unfinished.found.end_reason = couple::EndReason::running;
+  write_summary(folders[0], unfinished);
   ParticleFileSeries stood(folders[1]);
   stood.write(synthetic_slope(0.0), "start");
   stood.write(synthetic_slope(640.0), "end");
@@ -127,11 +128,11 @@ TEST(PaperFigures, SayWhatARunLacks) {
 TEST(PaperRuns, AreToldByTheirFolderAndThenByTheirCaseFile) {
   RunFolder run;
   run.path = fs::path("runs") / "slope-w3" / "";
-  run.case_file = "cases/slope-w2.yaml";
+  run.summary.emplace().case_file = "cases/slope-w2.yaml";
   EXPECT_EQ(paper_case_of(run), "slope-w3");
   run.path = "runs/tuesday";
   EXPECT_EQ(paper_case_of(run), "slope-w2");
-  run.case_file = "cases/my-slope.yaml";
+  run.summary->case_file = "cases/my-slope.yaml";
   EXPECT_EQ(paper_case_of(run), "");
 }
 

@@ -25,7 +25,7 @@ TEST(Bracket, StandsWithAFactorOfSafetyOf14) {
     if (table.time < 3.5) settling = simulation.summary().largest_displacement;
   });
   const couple::Summary summary = simulation.summary();
-  EXPECT_EQ(summary.end_reason, "time");
+  EXPECT_EQ(summary.end_reason, couple::EndReason::time);
   EXPECT_EQ(summary.verdict, couple::Verdict::stands);
   EXPECT_EQ(summary.slide_at_end.run_out, 0.0);
   EXPECT_TRUE(record("bracket-2", "- it stands: largest displacement in 4 s of dynamics", at_most(0.1),
@@ -55,7 +55,7 @@ TEST(Bracket, FallsUntilItRestsAndTellsHowFarItRan) {
   run(simulation, [](const couple::ParticleTable&) {});
   const couple::Summary summary = simulation.summary();
   EXPECT_EQ(summary.verdict, couple::Verdict::does_not_stand);
-  EXPECT_EQ(summary.end_reason, "at_rest");
+  EXPECT_EQ(summary.end_reason, couple::EndReason::at_rest);
   ASSERT_TRUE(summary.slide_at_end.run_out.has_value());
   const double advance = 4.0 - front_of_ground(simulation.particles(), level, spacing);
   EXPECT_GT(advance, 4.0 * spacing);
@@ -73,7 +73,7 @@ TEST(Bracket, FallsWithItsStrengthDividedBy15) {
   run(simulation, [](const couple::ParticleTable&) {});
   const couple::Summary summary = simulation.summary();
   ASSERT_TRUE(summary.onset_time.has_value());
-  EXPECT_EQ(summary.end_reason, "displacement") << "the slide goes on to 30 cm";
+  EXPECT_EQ(summary.end_reason, couple::EndReason::displacement) << "the slide goes on to 30 cm";
   EXPECT_EQ(summary.verdict, couple::Verdict::does_not_stand);
   EXPECT_EQ(summary.runaway_onset, 0.0);
   EXPECT_TRUE(record("bracket-3",
@@ -105,7 +105,7 @@ TEST(RoadEmbankment, FailsWithAFactorOfSafetyOf091OnCoarseCells) {
   couple::Simulation simulation = start_case("road_embankment.yaml");
   run(simulation, [](const couple::ParticleTable&) {});
   const couple::Summary summary = simulation.summary();
-  EXPECT_EQ(summary.end_reason, "displacement");
+  EXPECT_EQ(summary.end_reason, couple::EndReason::displacement);
   EXPECT_TRUE(record("embankment-1", "Road embankment on soft clay, factor 0.91 by Spencer, 5 ft cells: time to 5 cm",
                      at_most(8.0), summary.time, "s"));
 }

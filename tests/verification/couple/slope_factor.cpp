@@ -23,7 +23,7 @@ bool moves(int cells, const Strength& strength, double divisor) {
   overrides.push_back("domain.cell_size=" + std::to_string(4.0 / cells) + " m");
   couple::Simulation simulation = start_case("slope_factor.yaml", overrides);
   run(simulation, [](const couple::ParticleTable&) {});
-  return simulation.summary().end_reason == "displacement";
+  return simulation.summary().end_reason == couple::EndReason::displacement;
 }
 
 // The divisor of the strength at which the slope begins to move, over the one that is known.

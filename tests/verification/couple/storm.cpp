@@ -37,7 +37,7 @@ TEST(Storm, BudgetClosesThroughInfiltrationPondingDryingAndTheSlide) {
   EXPECT_GT(water.seepage, 0.1 * water.infiltration);
   EXPECT_GT(water.evaporation, 0.1 * water.infiltration);
   EXPECT_TRUE(record("storm-budget",
-                     "Rain, drying, ponding, slide, drying: largest water budget error over the rain until then",
+                     "Rain, drying, ponding, slide, drying: largest water balance error over the rain until then",
                      at_most(1e-3), largest_error, ""));
   EXPECT_TRUE(
       record("storm-rain", "- rain less infiltration and run-off, over the rain", at_most(1e-6), largest_mismatch, ""));

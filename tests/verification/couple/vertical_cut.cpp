@@ -15,7 +15,7 @@ TEST(VerticalCut, FallsOnEightCells) {
   double latest = 0.0;
   for (const double nu : {0.0, 0.33, 0.45}) {
     const couple::Summary summary = cut(0.875, 8, nu);
-    EXPECT_EQ(summary.end_reason, "displacement") << nu;
+    EXPECT_EQ(summary.end_reason, couple::EndReason::displacement) << nu;
     latest = std::max(latest, summary.time);
   }
   EXPECT_TRUE(record("cut-falls-1", "Vertical cut, 8 cells, 3.78 s_u / (gamma H) = 0.875: time to 30 cm, nu 0 to 0.45",

@@ -14,7 +14,7 @@ TEST(VerticalCutFine, FallsOnSixteenCells) {
   double latest = 0.0;
   for (const double nu : poissons_ratios) {
     const couple::Summary summary = cut(0.91, 16, nu);
-    EXPECT_EQ(summary.end_reason, "displacement") << nu;
+    EXPECT_EQ(summary.end_reason, couple::EndReason::displacement) << nu;
     latest = std::max(latest, summary.time);
   }
   EXPECT_TRUE(

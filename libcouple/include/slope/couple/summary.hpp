@@ -61,6 +61,17 @@ struct Slide {
   bool operator==(const Slide&) const = default;
 };
 
+/// Why a run ended; the texts are in results.hpp.
+enum class EndReason {
+  running,       ///< it has not
+  time,          ///< stop.time
+  displacement,  ///< stop.displacement
+  after_onset,   ///< stop.after_onset
+  at_rest,       ///< stop.at_rest
+  interrupted,   ///< by the program that runs it
+  error,         ///< the physics broke, or the program could not write
+};
+
 /// What a run says of the slope.
 enum class Verdict {
   undecided,       ///< it stands so far, but the run has not come to its end
@@ -72,12 +83,14 @@ enum class Verdict {
   water_alone,     ///< the soil was not asked
 };
 
-/// Water that has crossed the boundary and been stored since the start, per metre of thickness (m3/m).
+/// Water that has crossed the boundary and been stored since the start, per metre of thickness (m3/m); names, units and
+/// signs are in water_amounts.hpp.
 struct WaterBudget {
   double infiltration = 0.0;                  ///< in through all boundaries
   double outflow = 0.0;                       ///< out through all boundaries
   double storage = 0.0;                       ///< change of what the pores hold
-  double error = 0.0;                         ///< (infiltration - outflow - storage) / max(infiltration, outflow) (-)
+  double balance_error = 0.0;                 ///< infiltration - outflow - storage
+  double relative_balance_error = 0.0;        ///< of max(infiltration, outflow) (-)
   std::map<std::string, double> by_boundary;  ///< net inflow of each named boundary (m3/m)
   // of the free surface, where the case has rain; rain = rain_infiltration + run_off
   double rain = 0.0;               ///< what fell
@@ -91,7 +104,8 @@ struct WaterBudget {
     visit("infiltration", s.infiltration);
     visit("outflow", s.outflow);
     visit("storage", s.storage);
-    visit("error", s.error);
+    visit("balance_error", s.balance_error);
+    visit("relative_balance_error", s.relative_balance_error);
     visit("by_boundary", s.by_boundary);
     visit("rain", s.rain);
     visit("rain_infiltration", s.rain_infiltration);
@@ -116,7 +130,7 @@ struct DisplacementTime {
 };
 
 struct Summary {
-  std::string end_reason;  ///< "time", "displacement", "after_onset", "at_rest", or "running"
+  EndReason end_reason = EndReason::running;
   Verdict verdict = Verdict::undecided;
   bool stands_before = true;                 ///< a balance was found before the start, or none was asked for
   double time = 0.0;                         ///< simulated (s)
