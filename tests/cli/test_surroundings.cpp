@@ -29,6 +29,9 @@ class Surroundings : public testing::Test {
         .wait();
   }
   [[nodiscard]] const fs::path& path() const { return scratch_.path(); }
+  [[nodiscard]] static couple::EndReason end_reason_of(const fs::path& run) {
+    return couple::read_summary(run / "summary.json").found.end_reason;
+  }
   /// A run that goes on for an hour, and has begun its history.
   [[nodiscard]] std::unique_ptr<Program> long_run() const {
     auto program = std::make_unique<Program>(
@@ -59,7 +62,7 @@ class Surroundings : public testing::Test {
 TEST_F(Surroundings, ClosedStreamsPutNothingIntoTheFiles) {
   const Outcome outcome = shell("\"$sim\" run \"$box\" -o run <&- >&- 2>&-");
   EXPECT_EQ(outcome.exit_code, 0);
-  EXPECT_EQ(end_of(path() / "run")["reason"].as<std::string>(), "time");
+  EXPECT_EQ(end_reason_of(path() / "run"), couple::EndReason::time);
   for (const auto& entry : fs::directory_iterator(path() / "run")) {
     if (entry.path().filename() == "log.txt") continue;  // it has a line of the progress at each snapshot
     EXPECT_EQ(content_of(entry.path()).find(" of 0.2 s"), std::string::npos) << entry.path();
@@ -73,7 +76,7 @@ TEST_F(Surroundings, AFullOutputIsToldWithCode4) {
     EXPECT_NE(outcome.errors.find("the standard output cannot be written: No space left on device"), std::string::npos)
         << command << ": " << outcome.errors;
   }
-  EXPECT_EQ(end_of(path() / "run")["reason"].as<std::string>(), "time") << "the run itself is whole";
+  EXPECT_EQ(end_reason_of(path() / "run"), couple::EndReason::time) << "the run itself is whole";
 }
 
 TEST_F(Surroundings, ErrorsThatNobodyTakesEndNothing) {
@@ -84,7 +87,7 @@ TEST_F(Surroundings, ErrorsThatNobodyTakesEndNothing) {
 TEST_F(Surroundings, AReaderThatGoesAwayEndsNoRun) {
   const Outcome outcome = shell("\"$sim\" run \"$box\" -o run 2>&1 | true; exit ${PIPESTATUS[0]}");
   EXPECT_EQ(outcome.exit_code, 4) << "the report was lost";
-  EXPECT_EQ(end_of(path() / "run")["reason"].as<std::string>(), "time");
+  EXPECT_EQ(end_reason_of(path() / "run"), couple::EndReason::time);
 }
 
 TEST_F(Surroundings, FilesOfTheUserInTheOutputFolderAreKept) {
@@ -156,14 +159,14 @@ TEST_F(Surroundings, AHangUpStopsTheRunAsAnInterruptionDoes) {
   program->signal(SIGHUP);
   program->signal(SIGHUP);
   EXPECT_EQ(program->wait().exit_code, 130);
-  EXPECT_EQ(end_of(path() / "run")["reason"].as<std::string>(), "interrupted");
+  EXPECT_EQ(end_reason_of(path() / "run"), couple::EndReason::interrupted);
   EXPECT_EQ(read_particle_series(path() / "run").back().label, "interrupted");
 }
 
 TEST_F(Surroundings, AHangUpThatIsIgnoredStaysSo) {
   const Outcome outcome = shell("trap '' HUP; \"$sim\" run \"$box\" -o run --quiet & kill -HUP $!; wait $!");
   EXPECT_EQ(outcome.exit_code, 0);
-  EXPECT_EQ(end_of(path() / "run")["reason"].as<std::string>(), "time");
+  EXPECT_EQ(end_reason_of(path() / "run"), couple::EndReason::time);
 }
 
 TEST_F(Surroundings, ASecondInterruptionEndsTheProgramAtOnce) {
@@ -173,7 +176,7 @@ TEST_F(Surroundings, ASecondInterruptionEndsTheProgramAtOnce) {
   program->signal(SIGTERM);
   program->signal(SIGCONT);
   EXPECT_EQ(program->wait().exit_code, -1);
-  EXPECT_EQ(end_of(path() / "run")["reason"].as<std::string>(), "running");
+  EXPECT_EQ(end_reason_of(path() / "run"), couple::EndReason::running);
   EXPECT_TRUE(content_of(path() / "run" / "history.csv").ends_with('\n'));
   for (const Snapshot& snapshot : read_particle_series(path() / "run")) {
     EXPECT_EQ(read_particles(snapshot.file)->GetNumberOfPoints(), 32) << snapshot.file;
