@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 #include <utility>
 
 #include "pair.hpp"
@@ -23,7 +24,8 @@ void to_zero(std::vector<double>& field) {
 }
 
 void check_particles(const Particles& particles, std::size_t soils) {
-  Particles::for_each_field(particles, [&](const char* /*name*/, const auto& field) {
+  Particles::for_each_field(particles, [&](const char* name, const auto& field) {
+    if (std::string_view(name) == "internal") return;
     require(field.size() == particles.size(), "the particles' arrays differ in length");
   });
   for (const std::uint16_t soil : particles.soil) require(soil < soils, "a particle names a soil that is not there");
@@ -49,7 +51,11 @@ MaterialPointMethod::MaterialPointMethod(const Grid& grid, std::vector<Soil> soi
   require(!absorbs || walls.absorbing_depth > 0.0, "absorbing walls need a depth");
   check_particles(state_.particles, soils_.size());
 
-  for (const Soil& soil : soils_) materials_.emplace_back(soil, grid_.cell_size);
+  for (const Soil& soil : soils_) {
+    materials_.emplace_back(soil, grid_.cell_size);
+    internal_count_ = std::max(internal_count_, internal_count(materials_.back().strength));
+  }
+  set_internal_variables();
   find_wall_nodes();
   find_friction_times();
   const std::size_t n = state_.particles.size();
@@ -78,6 +84,7 @@ void MaterialPointMethod::set_state(State state) {
   check_particles(state.particles, soils_.size());
   require(state.particles.size() == state_.particles.size(), "the state has another number of particles");
   require(state.walls.size() == state_.walls.size(), "the state has another number of wall nodes");
+  require(state.particles.internal.size() == state_.particles.internal.size(), "the state is of other strength laws");
   state_ = std::move(state);
 }
 
@@ -85,7 +92,9 @@ double MaterialPointMethod::stable_step(double courant_number, std::span<const d
   double fastest = 0.0;
   for (std::size_t p = 0; p < state_.particles.size(); ++p) {
     const double mass = state_.particles.solid_mass[p] + (water_mass.empty() ? 0.0 : water_mass[p]);
-    const double modulus = soils_[state_.particles.soil[p]].elastic.constrained_modulus();
+    const Material& material = materials_[state_.particles.soil[p]];
+    const double modulus =
+        material.has_state ? stiffness(p).constrained_modulus() : material.elastic.constrained_modulus();
     fastest = std::max(fastest, modulus * state_.particles.volume[p] / mass);
   }
   return courant_number * grid_.cell_size / std::sqrt(fastest);

@@ -8,6 +8,7 @@ Particles Particles::at(std::span<const double> x, std::span<const double> y, st
   const std::size_t n = x.size();
   Particles p;
   for_each_field(p, [n](const char* /*name*/, auto& field) { field.resize(n); });
+  p.internal.clear();  // whether there are any, the laws tell
   p.x.assign(x.begin(), x.end());
   p.y.assign(y.begin(), y.end());
   p.volume.assign(volume.begin(), volume.end());

@@ -15,7 +15,11 @@ struct Yielding {
   bool operator()(const NoYield& /*none*/) const { return false; }
   template <class Law>
   bool operator()(const Law& law) const {
-    return return_to_yield_surface(law.at(suction, plastic_strain), elastic, stress) != Return::elastic;
+    if constexpr (LawWithState<Law>) {
+      return false;  // it comes later, and finds the stress turned by the spin
+    } else {
+      return return_to_yield_surface(law.at(suction, plastic_strain), elastic, stress) != Return::elastic;
+    }
   }
 };
 
@@ -28,9 +32,13 @@ struct Dilating {
   double operator()(const NoYield& /*none*/) const { return 0.0; }
   template <class Law>
   double operator()(const Law& law) const {
-    SymmetricTensor stress = trial;
-    return_to_yield_surface(law.at(suction, plastic_strain), elastic, stress);
-    return (trace(trial) - trace(stress)) / (3.0 * elastic.bulk_modulus());
+    if constexpr (LawWithState<Law>) {
+      return 0.0;  // it changes its volume as it hardens
+    } else {
+      SymmetricTensor stress = trial;
+      return_to_yield_surface(law.at(suction, plastic_strain), elastic, stress);
+      return (trace(trial) - trace(stress)) / (3.0 * elastic.bulk_modulus());
+    }
   }
 };
 
@@ -44,7 +52,11 @@ struct Shearing {
   bool operator()(const NoYield& /*none*/) const { return false; }
   template <class Law>
   bool operator()(const Law& law) const {
-    return return_to_yield_surface(law.at(suction, plastic_strain).isochoric(), elastic, stress) != Return::elastic;
+    if constexpr (LawWithState<Law>) {
+      return false;  // as above
+    } else {
+      return return_to_yield_surface(law.at(suction, plastic_strain).isochoric(), elastic, stress) != Return::elastic;
+    }
   }
 };
 
@@ -62,7 +74,9 @@ MaterialPointMethod::Material::Material(const Soil& soil, double cell_size)
       bulk(soil.elastic.bulk_modulus()),
       lame(soil.elastic.bulk_modulus() - 2.0 / 3.0 * soil.elastic.shear_modulus()),
       dilates(solid::dilates(soil.strength)),
-      strength(make_strength_law(soil.strength, cell_size)) {}
+      strength(make_strength_law(soil, cell_size)) {
+  if (has_state) shear = bulk = lame = 0.0;
+}
 
 void MaterialPointMethod::update_stress(double dt, std::span<const double> suction, const StepMode& mode) {
   if (settings_.averages_pressure) find_hat_divergence(velocity_);
@@ -72,6 +86,7 @@ void MaterialPointMethod::update_stress(double dt, std::span<const double> sucti
   } else {
     strain_particles<false>(dt, suction, mode);
   }
+  if (stiffness_varies()) update_with_state(dt, suction, mode);
 }
 
 template <bool shares_dilation>
@@ -138,7 +153,8 @@ void MaterialPointMethod::yield_with_shared_dilation(std::span<const double> suc
 #pragma omp parallel for schedule(static) num_threads(settings_.threads) if (settings_.threads > 1)
   for (std::size_t p = 0; p < state_.particles.size(); ++p) {
     const Material& material = materials_[state_.particles.soil[p]];
-    const double lost = material.bulk * from_hats(p);
+    dilation_[p] = from_hats(p);
+    const double lost = material.bulk * dilation_[p];
     const SymmetricTensor& tried = trial_stress_[p];
     const SymmetricTensor trial{tried.xx - lost, tried.yy - lost, tried.zz - lost, tried.xy};
     SymmetricTensor stress = trial;

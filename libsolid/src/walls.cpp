@@ -232,6 +232,7 @@ void MaterialPointMethod::respond(std::vector<Array2d>& force) const {
 
 void MaterialPointMethod::release_walls(std::span<const double> water_mass) {
   state_.walls_released = true;
+  if (stiffness_varies()) find_friction_times();
   const double h = grid_.cell_size;
   for (const WallNode& wall : wall_nodes_) {
     if (wall.wall != Wall::absorbing) continue;
@@ -247,7 +248,7 @@ void MaterialPointMethod::release_walls(std::span<const double> water_mass) {
       // the length of wall that the particle stands for: its share of the cell at the wall
       const double length = (1.0 - std::abs(away[along]) / h) * state_.particles.volume[p] / h;
       const double mass = state_.particles.solid_mass[p] + (water_mass.empty() ? 0.0 : water_mass[p]);
-      const Elastic& elastic = soils_[state_.particles.soil[p]].elastic;
+      const Elastic elastic = stiffness(p);
       Array2d modulus;
       modulus[wall.normal] = elastic.constrained_modulus();
       modulus[along] = elastic.shear_modulus();

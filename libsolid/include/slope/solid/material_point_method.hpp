@@ -38,6 +38,12 @@ struct Settings {
   int threads = 1;                ///< >= 1; results do not depend on it
 };
 
+/// An internal variable of the strength laws, as a field on the particles.
+struct InternalField {
+  std::string name, unit;
+  std::vector<double> values;  ///< one per particle; zero in soils whose law has no such variable
+};
+
 /// What the skeleton needs to know of the pore water; views of one entry per particle. Empty views mean dry soil.
 struct PoreState {
   std::span<const double>
@@ -169,13 +175,27 @@ class MaterialPointMethod {
     bool operator==(const State&) const = default;
   };
 
+  /// @param particles  their internal variables are set by their stress
   /// @throws std::invalid_argument if there is no cell, soil or thread, if the particles' arrays differ in length or
   /// name a soil that is not there, or if the share of FLIP is above one
   MaterialPointMethod(const Grid& grid, std::vector<Soil> soils, Particles particles, const Settings& settings);
 
   /// Largest stable time step: Courant number x cell size / fastest drained P-wave (s), for the mixture density of the
-  /// given water masses (empty: dry).
+  /// given water masses (empty: dry). Where the stiffness varies, it is that of the present stress.
   [[nodiscard]] double stable_step(double courant_number, std::span<const double> water_mass) const;
+
+  /// Whether the stiffness of a soil depends on its stress; if so, so does the stable step.
+  [[nodiscard]] bool stiffness_varies() const;
+  /// What a particle answers a small strain with (Pa, -).
+  [[nodiscard]] Elastic stiffness(std::size_t particle) const;
+  /// The same if its effective stress were a pressure in all directions (Pa, >= 0).
+  [[nodiscard]] Elastic stiffness(std::size_t particle, double mean_stress) const;
+
+  /// Makes the present stress that which the soil was found under: sets the laws' internal variables by it. Done when
+  /// the object is made; to be done again once an initial stress has been found.
+  void set_internal_variables();
+  /// Each variable once, in the order of the soils.
+  [[nodiscard]] std::vector<InternalField> internal_fields() const;
 
   /// v* = (v + dt M^-1 f) / (1 + damping dt).
   /// @param damping  mass-proportional viscous damping (1/s), >= 0; it slows what follows in the same step alike
@@ -186,7 +206,8 @@ class MaterialPointMethod {
   /// Lets absorbing walls yield. Until then they are fixed, so that an initial state can be found; from then on they
   /// bear what they bore in the latest step, and resist what moves them: by a dashpot of the impedance of the drained
   /// soil at the wall (Lysmer and Kuhlemeyer 1969), and by a spring of the soil's stiffness over the absorbing depth,
-  /// without which a change of load would move them for ever.
+  /// without which a change of load would move them for ever. If the stiffness varies, all three, and the times of the
+  /// friction, are those of the present stress.
   /// @param water_mass  as in stable_step()
   void release_walls(std::span<const double> water_mass);
 
@@ -292,6 +313,7 @@ class MaterialPointMethod {
     double shear, bulk, lame;
     bool dilates;
     StrengthLaw strength;
+    bool has_state = is_law_with_state(strength);  // elastic then says nothing, and shear and lame are zero
   };
 
   template <class Shape>
@@ -333,6 +355,9 @@ class MaterialPointMethod {
   template <bool shares_dilation>
   void strain_particles(double dt, std::span<const double> suction, const StepMode& mode);
   void yield_with_shared_dilation(std::span<const double> suction, const StepMode& mode);
+  void update_with_state(double dt, std::span<const double> suction, const StepMode& mode);
+  [[nodiscard]] std::span<double> internal_of(std::size_t p);
+  [[nodiscard]] Elastic stiffness(std::size_t p, const SymmetricTensor& stress) const;
   void check() const;
   [[nodiscard]] WallState& memory_of(const WallNode& wall) { return state_.walls[wall.number]; }
   [[nodiscard]] const WallState& memory_of(const WallNode& wall) const { return state_.walls[wall.number]; }
@@ -340,6 +365,7 @@ class MaterialPointMethod {
   Grid grid_;
   std::vector<Soil> soils_;
   std::vector<Material> materials_;
+  std::size_t internal_count_ = 0;  // entries of a particle in Particles::internal
   Settings settings_;
   State state_;
 
@@ -370,7 +396,8 @@ class MaterialPointMethod {
   std::vector<Eigen::Array2d> response_;  // velocity per impulse: 1 / mass, slowed by the damping; 0 where a wall holds
   std::vector<std::array<double, 4>> velocity_gradient_;  // of each particle: dvx/dx, dvx/dy, dvy/dx, dvy/dy
   std::vector<Behind> strip_;                             // of the traction at hand
-  // where soil may dilate: of each particle, the stress before it yields and the volumetric strain of its plastic flow
+  // where soil may dilate: of each particle, the stress before it yields; the volumetric strain of its plastic flow,
+  // and then its share of that around it
   bool shares_dilation_ = false;
   std::vector<SymmetricTensor> trial_stress_;
   std::vector<double> dilation_;

@@ -20,14 +20,18 @@ struct Particles {
   std::vector<double> sxx, syy, szz, sxy;  ///< effective stress sigma' (Pa)
   std::vector<double> exx, eyy, exy;       ///< accumulated strain (-); e_zz = 0
   std::vector<double> plastic_strain;      ///< accumulated deviatoric plastic strain, sum of sqrt(2/3 de:de) (-), >= 0
-  std::vector<double> volume;              ///< V (m2)
-  std::vector<double> solid_mass;          ///< (1 - n) rho_s V, constant (kg/m)
-  std::vector<double> porosity;            ///< n (-)
-  std::vector<std::uint16_t> soil;         ///< index of the soil
+  /// Internal variables of the strength laws, particle by particle, each with as many as the law that has most; empty
+  /// if none has any.
+  std::vector<double> internal;
+  std::vector<double> volume;       ///< V (m2)
+  std::vector<double> solid_mass;   ///< (1 - n) rho_s V, constant (kg/m)
+  std::vector<double> porosity;     ///< n (-)
+  std::vector<std::uint16_t> soil;  ///< index of the soil
 
   [[nodiscard]] std::size_t size() const { return x.size(); }
 
-  /// Calls visit(name, array) for each array of a Particles, const or not.
+  /// Calls visit(name, array) for each array of a Particles, const or not. All but `internal` have one entry a
+  /// particle.
   template <class Self, class Visit>
   static void for_each_field(Self& p, const Visit& visit) {
     visit("x", p.x), visit("y", p.y);
@@ -40,6 +44,7 @@ struct Particles {
     visit("sxx", p.sxx), visit("syy", p.syy), visit("szz", p.szz), visit("sxy", p.sxy);
     visit("exx", p.exx), visit("eyy", p.eyy), visit("exy", p.exy);
     visit("plastic_strain", p.plastic_strain);
+    visit("internal", p.internal);
     visit("volume", p.volume);
     visit("solid_mass", p.solid_mass);
     visit("porosity", p.porosity);

@@ -79,11 +79,23 @@ struct VonMises {
   std::optional<UndrainedSoftening> softening = std::nullopt;
 };
 
-using Strength = std::variant<NoYield, DruckerPrager, MohrCoulomb, VonMises>;
+/// Modified Cam-clay (Roscoe and Burland 1968), for clay whose stiffness and strength come from the stress that it has
+/// borne. What the soil is like before the start is said by one of the last three.
+struct ModifiedCamClay {
+  double critical_state_ratio = 0.0;  ///< M (-), > 0: q / p' at the critical state
+  double lambda = 0.0;                ///< slope of the normal compression line in v over ln p' (-), > kappa
+  double kappa = 0.0;                 ///< slope of the swelling lines (-), > 0
+  double minimum_mean_stress = 0.0;   ///< (Pa), > 0: stiffness and p_c are never smaller than at this p'
+  std::optional<double> overconsolidation_ratio = std::nullopt;    ///< p_c over that of the present stress (-), >= 1
+  std::optional<double> pre_overburden_pressure = std::nullopt;    ///< p_c less that of the present stress (Pa), >= 0
+  std::optional<double> preconsolidation_pressure = std::nullopt;  ///< p_c (Pa), > 0; that of the stress if larger
+};
+
+using Strength = std::variant<NoYield, DruckerPrager, MohrCoulomb, VonMises, ModifiedCamClay>;
 
 /// What the soil skeleton of one material is made of.
 struct Soil {
-  Elastic elastic;
+  Elastic elastic;  ///< of a law with a stiffness of its own only Poisson's ratio counts
   Strength strength;
   double grain_density = 0.0;  ///< rho_s (kg/m3), > 0
 };
