@@ -4,6 +4,8 @@
 #include <vtkCellArray.h>
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
+#include <vtkInformation.h>
+#include <vtkInformationStringKey.h>
 #include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -48,6 +50,12 @@ vtkNew<Array> make_array(const char* name, int components, std::size_t count) {
 vtkNew<vtkDoubleArray> scalars(const char* name, const std::vector<double>& values) {
   auto array = make_array(name, 1, values.size());
   std::copy(values.begin(), values.end(), array->GetPointer(0));
+  return array;
+}
+
+vtkNew<vtkDoubleArray> internal_scalars(const solid::InternalField& field) {
+  auto array = scalars(field.name.c_str(), field.values);
+  array->GetInformation()->Set(vtkDataArray::UNITS_LABEL(), field.unit.c_str());
   return array;
 }
 
@@ -108,6 +116,7 @@ vtkNew<vtkPolyData> to_polydata(const couple::ParticleTable& particles, std::str
   arrays->AddArray(soil);
   arrays->AddArray(id);
   arrays->AddArray(scalars("volume", particles.volume));
+  for (const solid::InternalField& field : particles.internal) arrays->AddArray(internal_scalars(field));
 
   data->GetFieldData()->AddArray(scalars("TimeValue", {particles.time}));
   vtkNew<vtkStringArray> name;

@@ -30,7 +30,8 @@ inline constexpr std::string_view particle_collection = "particles.pvd";
 ///
 /// Point arrays (SI units, tension positive, pore pressure positive in compression): displacement, velocity,
 /// darcy_velocity (3 components), stress_effective, strain (XX YY ZZ XY YZ XZ), deviatoric_strain, plastic_strain,
-/// pore_pressure, suction, saturation, porosity, volume, soil, id. Field data: TimeValue (s) and label.
+/// pore_pressure, suction, saturation, porosity, volume, soil, id; and what the strength laws keep, with the unit as
+/// UNITS_LABEL: preconsolidation_pressure. Field data: TimeValue (s) and label.
 class ParticleFileSeries {
  public:
   /// Starts a new series in a directory, which is created if need be; an older series there is overwritten file by

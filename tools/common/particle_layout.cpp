@@ -74,7 +74,7 @@ class Layout {
         cells_ = *cells;
       } else if (tag.name == "DataArray" || tag.name == "Array") {
         if (!has_its_data(tag)) return false;
-      } else if (!tag.name.starts_with('/')) {
+      } else if (!tag.name.starts_with('/') && tag.name != "InformationKey") {
         section_ = tag.name;
       }
     }

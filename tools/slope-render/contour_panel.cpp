@@ -138,7 +138,9 @@ const std::vector<Field>& drawable_fields() {
       {"displacement", "displacement", "Displacement |u| (m)", 1.0, magma_reversed(), true, false},
       {"pore_pressure", pressure_array, "Pore-water pressure P_{w} (kPa)", 1.0e-3, viridis(), false, true},
       {"saturation", "saturation", "Degree of saturation S_{r} (-)", 1.0, viridis(), false, true},
-      {"porosity", "porosity", "Porosity n (-)", 1.0, viridis(), false, true}};
+      {"porosity", "porosity", "Porosity n (-)", 1.0, viridis(), false, true},
+      {"preconsolidation_pressure", "preconsolidation_pressure", "Preconsolidation pressure p_{c} (kPa)", 1.0e-3,
+       viridis(), false, true, false}};
   return fields;
 }
 

@@ -24,6 +24,7 @@ struct Field {
   ColourMap colours;
   bool from_zero = false;    ///< the scale starts at zero and leaves out the largest few values
   bool level_lines = false;  ///< thin lines at the numbers of the colour bar
+  bool in_every_run = true;  ///< false: only particle files of soil that has it hold it
 };
 
 /// The fields that can be drawn.

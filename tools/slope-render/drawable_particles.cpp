@@ -23,7 +23,9 @@ constexpr double largest_volume = 1.0e4;
 /// Arrays without which no picture can be drawn.
 std::vector<std::string> needed_arrays() {
   std::vector<std::string> names{"volume"};
-  for (const Field& field : drawable_fields()) names.push_back(field.array);
+  for (const Field& field : drawable_fields()) {
+    if (field.in_every_run) names.push_back(field.array);
+  }
   return names;
 }
 

@@ -138,7 +138,8 @@ int main(int argc, char** argv) {
                     });
   auto* field = app.add_option("--field", options.fields,
                                "Fields of the contour pictures, with commas: suction, deviatoric_strain, displacement, "
-                               "pore_pressure, saturation, porosity (default: the first two)")
+                               "pore_pressure, saturation, porosity, preconsolidation_pressure (default: the first "
+                               "two)")
                     ->delimiter(',');
   auto* paper_flag =
       app.add_flag("--paper", paper,

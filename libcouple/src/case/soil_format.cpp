@@ -1,5 +1,9 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <numbers>
 
 #include "case_format.hpp"
@@ -13,6 +17,8 @@ constexpr auto itself = [](auto& value) -> auto& {
 };
 
 constexpr double right_angle = std::numbers::pi / 2.0;
+
+constexpr const char* modified_cam_clay = "modified_cam_clay";
 
 /// The fields of a softening law that say over which plastic strain it goes.
 template <class Softening>
@@ -124,6 +130,69 @@ Record<solid::VonMises> von_mises_record() {
   return law;
 }
 
+/// M of triaxial compression at a friction angle (rad).
+double critical_state_ratio(double friction_angle) {
+  return 6.0 * std::sin(friction_angle) / (3.0 - std::sin(friction_angle));
+}
+
+/// Of some keys exactly one has to be there.
+void check_one_of(const Input& input, const std::vector<const char*>& keys, const char* example) {
+  std::vector<const char*> given;
+  std::ranges::copy_if(keys, std::back_inserter(given), [&input](const char* key) { return input.has(key); });
+  if (given.empty()) {
+    input.problem_with(
+        keys.front(), fmt::format("missing; give one of {}; write for example \"{}\"", fmt::join(keys, ", "), example));
+  } else if (given.size() > 1) {
+    input.at(given.back()).problem(fmt::format("{} says this too; keep one of the two", given.front()));
+  }
+}
+
+Record<solid::ModifiedCamClay> modified_cam_clay_record() {
+  using solid::ModifiedCamClay;
+  Format<double> friction_angle = quantity(Dimension::angle, between(0.0, right_angle));
+  friction_angle.read = [read = friction_angle.read](const Input& input, double& ratio) {
+    double angle = 0.0;
+    read(input, angle);
+    ratio = critical_state_ratio(angle);
+  };
+  friction_angle.write = [](const double& /*written as critical_state_ratio*/) { return Document{}; };
+  Format<double> given_ratio = quantity(Dimension::number, between(0.0, 3.0));
+  given_ratio.write = [write = given_ratio.write](const double& ratio) {
+    return ratio > 0.0 ? write(ratio) : Document{};
+  };
+  const auto ratio = [](auto& law) -> auto& {
+    return law.critical_state_ratio;
+  };
+  Record<ModifiedCamClay> law;
+  law.optional("critical_state_friction_angle", ratio, friction_angle,
+               "phi_cs' in triaxial compression, instead of M = 6 sin(phi_cs') / (3 - sin(phi_cs'))")
+      .optional("critical_state_ratio", ratio, given_ratio, "M, q / p' at the critical state in all directions")
+      .required("lambda", &ModifiedCamClay::lambda, quantity(Dimension::number, above(0.0)),
+                "slope of the normal compression line, specific volume against ln p'", "0.16")
+      .required("kappa", &ModifiedCamClay::kappa, quantity(Dimension::number, above(0.0)),
+                "slope of the swelling lines; the bulk modulus is v p' / kappa with v = 1 / (1 - porosity)", "0.04")
+      .required("minimum_mean_stress", &ModifiedCamClay::minimum_mean_stress, quantity(Dimension::pressure, above(0.0)),
+                "p' that stiffness and preconsolidation pressure are at least taken at, as at a free surface", "2 kPa")
+      .optional("overconsolidation_ratio", &ModifiedCamClay::overconsolidation_ratio,
+                maybe(quantity(Dimension::number, at_least(1.0))),
+                "p_c over the p_c of soil that yields under the initial stress; or one of the next two keys")
+      .optional("pre_overburden_pressure", &ModifiedCamClay::pre_overburden_pressure,
+                maybe(quantity(Dimension::pressure, at_least(0.0))),
+                "by how much p_c exceeds the p_c of soil that yields under the initial stress")
+      .optional("preconsolidation_pressure", &ModifiedCamClay::preconsolidation_pressure,
+                maybe(quantity(Dimension::pressure, above(0.0))),
+                "p_c itself, where soil under the initial stress would not yield already")
+      .check([](const Input& input, ModifiedCamClay& soil) {
+        check_one_of(input, {"critical_state_friction_angle", "critical_state_ratio"},
+                     "critical_state_friction_angle: 25 deg");
+        check_one_of(input, {"overconsolidation_ratio", "pre_overburden_pressure", "preconsolidation_pressure"},
+                     "overconsolidation_ratio: 1.5");
+        if (soil.kappa < soil.lambda) return;
+        input.at("kappa").problem(fmt::format("must be below lambda, {:g}, got {:g}", soil.lambda, soil.kappa));
+      });
+  return law;
+}
+
 Format<solid::Strength> strength_format() {
   return Alternatives<solid::Strength>("model")
       .add("drucker_prager",
@@ -133,6 +202,10 @@ Format<solid::Strength> strength_format() {
            frictional_record<solid::MohrCoulomb>())
       .add("von_mises", "von Mises: undrained strength, whatever the mean stress and the suction", itself,
            von_mises_record())
+      .add(modified_cam_clay,
+           "Modified Cam-clay: stiffness and strength by the stress that the clay has borne; suction acts through the "
+           "effective stress",
+           itself, modified_cam_clay_record())
       .add("elastic", "the soil never yields", itself, Record<solid::NoYield>())
       .format();
 }
@@ -264,15 +337,32 @@ void complete_mualem(const Input& input, Soil& soil) {
   }
 }
 
-}  // namespace
+/// Young's modulus of a soil whose strength law has a stiffness of its own: a base or a library may have given one.
+Field<Soil> idle_stiffness_field() {
+  const Format<double> modulus = quantity(Dimension::pressure, above(0.0));
+  return {{"youngs_modulus", false, "", described(modulus.schema, "E; of no effect with this strength model")},
+          [modulus](const Input& input, Soil&) {
+            double ignored = 0.0;
+            modulus.read(input, ignored);
+            input.warning(fmt::format(
+                "has no effect with the strength model {}, whose stiffness comes from kappa and the mean stress",
+                modified_cam_clay));
+          },
+          [](const Soil&) { return Document{}; }};
+}
 
-Format<Soil> soil_format() {
+/// @param own_stiffness  whether the strength law has a stiffness of its own
+Record<Soil> soil_record(bool own_stiffness) {
   Record<Soil> record;
-  record.field(library_field())
-      .field(library_soil_field())
-      .required(
-          "youngs_modulus", [](auto& soil) -> auto& { return soil.solid.elastic.youngs_modulus; },
-          quantity(Dimension::pressure, above(0.0)), "E, of the skeleton", "10 MPa")
+  record.field(library_field()).field(library_soil_field());
+  if (own_stiffness) {
+    record.field(idle_stiffness_field());
+  } else {
+    record.required(
+        "youngs_modulus", [](auto& soil) -> auto& { return soil.solid.elastic.youngs_modulus; },
+        quantity(Dimension::pressure, above(0.0)), "E, of the skeleton; not needed with modified_cam_clay", "10 MPa");
+  }
+  return record
       .required(
           "poissons_ratio", [](auto& soil) -> auto& { return soil.solid.elastic.poissons_ratio; },
           quantity(Dimension::number, between(-1.0, 0.5)), "nu, of the skeleton", "0.33")
@@ -295,11 +385,41 @@ Format<Soil> soil_format() {
           permeability_format(), "share of the conductivity that is left in unsaturated soil",
           "{model: hillel, exponent: 2}")
       .check(complete_mualem);
-  Format<Soil> format = record.format();
+}
+
+/// A schema that holds for maps in which strength.model is modified_cam_clay.
+Document has_own_stiffness_schema() {
+  Document model = Document::map(), models = Document::map(), strength = Document::map(), soil = Document::map(),
+           schema = Document::map();
+  model.set("const", Document::text(modified_cam_clay));
+  models.set("model", std::move(model));
+  strength.set("properties", std::move(models)).set("required", Document::list({Document::text("model")}));
+  soil.set("strength", std::move(strength));
+  return schema.set("properties", std::move(soil)).set("required", Document::list({Document::text("strength")}));
+}
+
+bool has_own_stiffness(const Input& input) {
+  const Document* strength = input.node().find("strength");
+  const Document* model = strength == nullptr ? nullptr : strength->find("model");
+  return model != nullptr && model->value == modified_cam_clay;
+}
+
+}  // namespace
+
+Format<Soil> soil_format() {
+  const Format<Soil> linear = soil_record(false).format(), own = soil_record(true).format();
+  Format<Soil> format{
+      [linear, own](const Input& input, Soil& soil) { (has_own_stiffness(input) ? own : linear).read(input, soil); },
+      [linear, own](const Soil& soil) {
+        const bool cam_clay = std::holds_alternative<solid::ModifiedCamClay>(soil.solid.strength);
+        return (cam_clay ? own : linear).write(soil);
+      },
+      Document::map()};
+  format.schema.set("if", has_own_stiffness_schema()).set("then", own.schema).set("else", linear.schema);
   Document from_library = Document::map();
   from_library.set("required", Document::list({Document::text(library_key)}));
   Document either = Document::map();
-  either.set("if", std::move(from_library)).set("then", overlay_schema(format.schema)).set("else", format.schema);
+  either.set("if", std::move(from_library)).set("then", overlay_schema(linear.schema)).set("else", format.schema);
   format.schema = std::move(either);
   return format;
 }

@@ -10,8 +10,8 @@ double ExplicitScheme::stable_step(const Mixture& mixture, double courant_number
   const std::vector<double> water_mass = mixture.water_mass();
   double fastest = 0.0;
   for (std::size_t i = 0; i < p.size(); ++i) {
-    const double modulus = mixture.soil.soils()[p.soil[i]].elastic.constrained_modulus() +
-                           mixture.water.water().bulk_modulus / p.porosity[i];
+    const double modulus =
+        mixture.soil.stiffness(i).constrained_modulus() + mixture.water.water().bulk_modulus / p.porosity[i];
     fastest = std::max(fastest, modulus * p.volume[i] / (p.solid_mass[i] + water_mass[i]));
   }
   const double wave = mixture.soil.grid().cell_size / std::sqrt(fastest);

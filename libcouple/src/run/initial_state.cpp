@@ -30,8 +30,8 @@ std::string number_text(double value) {
 
 // Damped motion at fixed positions until the forces balance. Returns the unbalanced over the gravity forces; none if it
 // was not to go on.
-std::optional<double> find_balance(Mixture& mixture, const Actions& actions, const SlopeScale& scale, double time_step,
-                                   bool yields, const InitialObserver& go_on) {
+std::optional<double> find_balance(Mixture& mixture, const Actions& actions, const SlopeScale& scale,
+                                   const TimeStep& time_step, bool yields, const InitialObserver& go_on) {
   // near critical for the first shear mode, whose period is about twice that of the first P-wave
   const double damping = 2.0 * std::numbers::pi / scale.period();
   solid::MaterialPointMethod& soil = mixture.soil;
@@ -39,14 +39,16 @@ std::optional<double> find_balance(Mixture& mixture, const Actions& actions, con
   double unbalanced = 0.0;
   double look = first_look, before = never;
   int steps = 0;
-  for (double t = 0.0;; t += time_step) {
+  double dt = 0.0;
+  for (double t = 0.0;; t += dt) {
     if (t >= look * scale.period()) {
       if (unbalanced > still_falling * before || look >= last_look) break;
       before = unbalanced;
       look *= 2.0;
     }
-    soil.predict(time_step, mixture.pore_state(), actions.loads(), damping);
-    soil.advance(time_step, mixture.water.suction(), mode);
+    dt = time_step();
+    soil.predict(dt, mixture.pore_state(), actions.loads(), damping);
+    soil.advance(dt, mixture.water.suction(), mode);
     unbalanced = soil.balance().unbalanced_force / soil.balance().weight;
     if (t > scale.period() && unbalanced < balanced) break;
     const bool asks = ++steps % steps_between_questions == 0;
@@ -127,15 +129,16 @@ bool find_steady_flow(Mixture& mixture, BoundaryConditions& conditions, const In
 }
 
 std::optional<double> find_self_weight_stress(Mixture& mixture, const Actions& actions, const SlopeScale& scale,
-                                              double time_step, const InitialObserver& go_on) {
+                                              const TimeStep& time_step, const InitialObserver& go_on) {
   if (!find_balance(mixture, actions, scale, time_step, false, go_on)) return std::nullopt;
+  mixture.soil.set_internal_variables();
   const auto unbalanced = find_balance(mixture, actions, scale, time_step, true, go_on);
   mixture.soil.stop();
   return unbalanced;
 }
 
 std::optional<double> find_k0_stress(Mixture& mixture, const Actions& actions, const SlopeScale& scale,
-                                     double time_step, double spacing, std::span<const double> k0,
+                                     const TimeStep& time_step, double spacing, std::span<const double> k0,
                                      const InitialObserver& go_on) {
   solid::MaterialPointMethod& soil = mixture.soil;
   set_overburden(mixture, actions.standing_water, scale.gravity, spacing);
@@ -144,13 +147,14 @@ std::optional<double> find_k0_stress(Mixture& mixture, const Actions& actions, c
   if (!find_balance(mixture, actions, scale, time_step, false, go_on)) return std::nullopt;
   soil.stop();
   set_horizontal_stress(soil.particles(), k0);
+  soil.set_internal_variables();
   const auto unbalanced = find_balance(mixture, actions, scale, time_step, true, go_on);
   soil.stop();
   return unbalanced;
 }
 
 bool add_standing_acceleration(Mixture& mixture, Actions actions, std::array<double, 2> acceleration,
-                               const SlopeScale& scale, double time_step, const InitialObserver& go_on) {
+                               const SlopeScale& scale, const TimeStep& time_step, const InitialObserver& go_on) {
   if (acceleration == std::array{0.0, 0.0}) return true;
   actions.body_acceleration = acceleration;
   const bool done = find_balance(mixture, actions, scale, time_step, true, go_on).has_value();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -15,16 +16,20 @@ namespace slope::couple {
 /// Unbalanced over gravity forces, left by the search for the initial stress, above which the slope does not stand (-).
 inline constexpr double unbalanced_limit = 1.0e-4;
 
+/// What is asked for the length of each step of the soil (s): where the stiffness varies, it does.
+using TimeStep = std::function<double()>;
+
 /// Lets the water flow in the unmoved soil until it is steady under the conditions that hold before the start.
 /// @param go_on  is asked after each step. @return whether it got to the end
 /// @throws SimulationError if it does not come to rest; it names the particle that changes most
 [[nodiscard]] bool find_steady_flow(Mixture& mixture, BoundaryConditions& conditions, const InitialObserver& go_on);
 
 /// Builds the self-weight stress at fixed positions, first elastic, then with the soil's strength, by damped motion;
-/// the pore pressure stays as it is. @param go_on  is asked now and then
+/// the pore pressure stays as it is. What strength laws remember is that of the elastic stress, changed by yielding.
+/// @param go_on  is asked now and then
 /// @return the unbalanced over the gravity forces that are left (-); none: it was not to go on
 [[nodiscard]] std::optional<double> find_self_weight_stress(Mixture& mixture, const Actions& actions,
-                                                            const SlopeScale& scale, double time_step,
+                                                            const SlopeScale& scale, const TimeStep& time_step,
                                                             const InitialObserver& go_on);
 
 /// The same from a vertical effective stress by the weight of the soil above each particle, less the pore pressure, and
@@ -32,12 +37,13 @@ inline constexpr double unbalanced_limit = 1.0e-4;
 /// @param k0  by soil (-), > 0
 /// @param spacing  of the particles at the start (m)
 [[nodiscard]] std::optional<double> find_k0_stress(Mixture& mixture, const Actions& actions, const SlopeScale& scale,
-                                                   double time_step, double spacing, std::span<const double> k0,
-                                                   const InitialObserver& go_on);
+                                                   const TimeStep& time_step, double spacing,
+                                                   std::span<const double> k0, const InitialObserver& go_on);
 
 /// The stress under a body acceleration (m/s2) that acts from the start on, after that of the weight alone: as if it
 /// had grown slowly. Soil that it moves has the stress of its steady motion. @return false if it was not to go on
 [[nodiscard]] bool add_standing_acceleration(Mixture& mixture, Actions actions, std::array<double, 2> acceleration,
-                                             const SlopeScale& scale, double time_step, const InitialObserver& go_on);
+                                             const SlopeScale& scale, const TimeStep& time_step,
+                                             const InitialObserver& go_on);
 
 }  // namespace slope::couple

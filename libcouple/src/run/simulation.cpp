@@ -38,7 +38,8 @@ bool Simulation::initialise(const InitialObserver& observer) {
     return run_->find_initial_state(observer ? observer : to_the_end);
   } catch (const solid::SolidError& error) {
     throw SimulationError("before the start: soil " + run_->text_of(error) +
-                          "; the weight may be too much for the stiffness, youngs_modulus");
+                          "; the weight may be too much for the stiffness, youngs_modulus (of modified_cam_clay "
+                          "kappa and minimum_mean_stress)");
   } catch (const seepage::SeepageError& error) {
     throw SimulationError(std::string("before the start: pore water, ") + error.what());
   }
@@ -113,6 +114,7 @@ ParticleTable Simulation::particles() const {
   table.porosity = soil.porosity;
   table.volume = soil.volume;
   table.soil = s.particles.soil;
+  table.internal = s.mixture.soil.internal_fields();
   turn_back(s.frame, table);
   return table;
 }
@@ -139,7 +141,7 @@ std::vector<double> Simulation::history_row() const {
   const solid::Balance& balance = s.mixture.soil.balance();
   double elastic_energy = 0.0;
   for (std::size_t p = 0; p < soil.size(); ++p) {
-    const solid::Elastic& elastic = s.mixture.soil.soils()[soil.soil[p]].elastic;
+    const solid::Elastic elastic = s.mixture.soil.stiffness(p);
     const solid::SymmetricTensor stress{soil.sxx[p], soil.syy[p], soil.szz[p], soil.sxy[p]};
     const double mean = solid::trace(stress) / 3.0;
     elastic_energy += soil.volume[p] * (0.5 * mean * mean / elastic.bulk_modulus() +

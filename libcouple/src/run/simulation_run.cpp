@@ -26,11 +26,25 @@ InitialParticles fill(const Case& input) {
   return particles;
 }
 
+// Of the fastest drained P-wave (m/s); where the stiffness varies, at a mean stress (Pa).
+double wave_speed(const Case& input, const Mixture& mixture, double mean_stress) {
+  if (!mixture.soil.stiffness_varies()) {
+    return input.domain.cell_size / mixture.soil.stable_step(1.0, mixture.water_mass());
+  }
+  const solid::Particles& soil = mixture.soil.particles();
+  const std::vector<double> water_mass = mixture.water_mass();
+  double fastest = 0.0;
+  for (std::size_t p = 0; p < soil.size(); ++p) {
+    const double modulus = mixture.soil.stiffness(p, mean_stress).constrained_modulus();
+    fastest = std::max(fastest, modulus * soil.volume[p] / (soil.solid_mass[p] + water_mass[p]));
+  }
+  return std::sqrt(fastest);
+}
+
 SlopeScale scale_of(const Case& input, const InitialParticles& particles, const Mixture& mixture) {
   SlopeScale scale;
   const auto [low, high] = std::ranges::minmax(particles.y);
   scale.height = high - low + particles.spacing;
-  scale.wave_speed = input.domain.cell_size / mixture.soil.stable_step(1.0, mixture.water_mass());
   scale.gravity = input.gravity;
   const std::vector<double> water_mass = mixture.water_mass();
   double mass = 0.0, volume = 0.0;
@@ -39,6 +53,7 @@ SlopeScale scale_of(const Case& input, const InitialParticles& particles, const 
     volume += particles.volume[p];
   }
   scale.overburden = mass / volume * input.gravity * scale.height;
+  scale.wave_speed = wave_speed(input, mixture, 0.5 * scale.overburden);
   return scale;
 }
 
@@ -155,7 +170,8 @@ bool Simulation::Run::find_initial_state(const InitialObserver& go_on) {
   conditions.remember_pressures(mixture.water.pressure());
   Actions before;
   conditions.apply_initial(mixture, before);
-  const double step = mixture.soil.stable_step(input.numerics.courant_number, mixture.water_mass());
+  const auto stable = [this] { return mixture.soil.stable_step(input.numerics.courant_number, mixture.water_mass()); };
+  const TimeStep step = [this, stable, first = stable()] { return mixture.soil.stiffness_varies() ? stable() : first; };
   const bool needs_stress = input.scheme != Scheme::seepage;
   std::optional<double> unbalanced = 0.0;
   if (needs_stress && input.initial_stress == InitialStress::self_weight) {
@@ -171,6 +187,7 @@ bool Simulation::Run::find_initial_state(const InitialObserver& go_on) {
     return false;
   }
   mixture.soil.release_walls(mixture.water_mass());
+  fit_time_step();
   now.first_storage = mixture.water.stored_water();
   const std::size_t n = particles.x.size();
   std::vector<double> wx(n), wy(n);
@@ -249,6 +266,11 @@ void Simulation::Run::step(double share) {
   check_end();
 }
 
+// To a stiffness that is another after each step.
+void Simulation::Run::fit_time_step() {
+  if (mixture.soil.stiffness_varies()) now.time_step = longest_step(scheme, mixture, input.numerics.courant_number);
+}
+
 template <class Coupled>
 seepage::SolveReport Simulation::Run::step_mixture(Coupled& coupled, double next, double longest) {
   const ClockControl::Pace pace = clock.pace(now.time, next, longest, conditions.prescribed_rate(now.time));
@@ -261,6 +283,7 @@ seepage::SolveReport Simulation::Run::step_mixture(Coupled& coupled, double next
   const auto report = coupled.step(mixture, actions, pace.time_step, pace.factor);
   now.time = after;
   now.latest_step = water_step;
+  fit_time_step();
   const solid::Balance& balance = mixture.soil.balance();
   clock.observe(pace.time_step, balance.unbalanced_force / balance.weight, conditions.first_pressure(),
                 mixture.water.pressure());

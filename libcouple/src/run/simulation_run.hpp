@@ -41,6 +41,7 @@ struct Simulation::Run {
   Due take_due();
   [[nodiscard]] double next_stop() const;
   void step(double share);
+  void fit_time_step();
   template <class Coupled>
   seepage::SolveReport step_mixture(Coupled& coupled, double next, double longest);
   seepage::SolveReport step_water(SeepageScheme& seepage, double next, double share);

@@ -236,6 +236,14 @@ TEST_F(CaseSchema, EveryAlternativeIsAccepted) {
       "maximum_cohesion_increase: 0 kPa, cohesion_suction_rate: 0, friction_angle_suction_rate: 0 deg, softening: "
       "{residual_cohesion: 0 kPa, residual_friction_angle: 20 deg, from_plastic_strain: 1 %, to_plastic_strain: 10 %, "
       "characteristic_length: 0.5 m}}",
+      "soils.silty_sand.strength={model: modified_cam_clay, critical_state_ratio: 0.9, lambda: 0.16, kappa: 0.04, "
+      "minimum_mean_stress: 2 kPa, overconsolidation_ratio: 1.5}",
+      "soils.silty_sand.strength={model: modified_cam_clay, critical_state_friction_angle: 25 deg, lambda: 0.16, "
+      "kappa: "
+      "0.04, minimum_mean_stress: 2 kPa, pre_overburden_pressure: 30 kPa}",
+      "soils.silty_sand.strength={model: modified_cam_clay, critical_state_friction_angle: 25 deg, lambda: 0.16, "
+      "kappa: "
+      "0.04, minimum_mean_stress: 2 kPa, preconsolidation_pressure: 90 kPa}",
       "soils.silty_sand.retention={model: exponential, alpha: 1 1/m, residual_saturation: 0.1, maximum_saturation: 1}",
       "soils.silty_sand.retention={model: liakopoulos, coefficient: 0.1, exponent: 2, floor: 0.1}",
       "soils.silty_sand.relative_permeability={model: liakopoulos, coefficient: 2.2, exponent: 1, floor: 1e-5}",

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <numbers>
 
 #include "case_folder.hpp"
@@ -240,6 +241,39 @@ TEST(CaseValues, EveryKeyIsWrittenBack) {
                            "to_plastic_strain: 0.1", "youngs_modulus: 10 MPa", "friction_angle: 25 deg"}) {
     EXPECT_NE(resolved.find(line), std::string::npos) << line << "\n" << resolved;
   }
+}
+
+TEST(CaseValues, ModifiedCamClayHasItsOwnStiffness) {
+  const CaseFolder folder;
+  const std::string clay =
+      "soils.sandy_clay.strength={model: modified_cam_clay, critical_state_friction_angle: 25 deg, lambda: 0.16, "
+      "kappa: "
+      "0.04, minimum_mean_stress: 2 kPa, pre_overburden_pressure: 30 kPa}";
+  std::vector<Problem> warnings;
+  const auto stiff = folder.write("stiff.yaml", slope_with("", "").content);
+  const Case input = read_case(stiff, {clay}, &warnings);
+  const auto& law = std::get<solid::ModifiedCamClay>(input.soils[0].solid.strength);
+  const double sine = std::sin(25.0 * std::numbers::pi / 180.0);
+  EXPECT_NEAR(law.critical_state_ratio, 6.0 * sine / (3.0 - sine), 1e-12);
+  EXPECT_EQ(law.lambda, 0.16);
+  EXPECT_EQ(law.kappa, 0.04);
+  EXPECT_EQ(law.minimum_mean_stress, 2.0e3);
+  EXPECT_EQ(law.pre_overburden_pressure, 30.0e3);
+  EXPECT_FALSE(law.overconsolidation_ratio);
+  EXPECT_FALSE(law.preconsolidation_pressure);
+  EXPECT_EQ(input.soils[0].solid.elastic.youngs_modulus, 0.0);
+  EXPECT_EQ(input.soils[0].solid.elastic.poissons_ratio, 0.33);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_EQ(warnings[0].key, "soils.sandy_clay.youngs_modulus");
+  EXPECT_EQ(warnings[0].message,
+            "has no effect with the strength model modified_cam_clay, whose stiffness comes from kappa and the mean "
+            "stress");
+
+  const auto soft = folder.write("soft.yaml", slope_with("    youngs_modulus: 10 MPa\n", "").content);
+  warnings.clear();
+  EXPECT_EQ(read_case(soft, {clay}, &warnings).soils[0].solid.elastic.youngs_modulus, 0.0);
+  EXPECT_TRUE(warnings.empty());
+  EXPECT_THROW((void)read_case(soft), InputError) << "the other laws need it";
 }
 
 TEST(CaseValues, TheHistoryHasAThousandRowsUnlessTheCaseSays) {

@@ -74,6 +74,11 @@ INSTANTIATE_TEST_SUITE_P(
         Kind{"WaterAlone", {"coupling.scheme=seepage", "stop.time=1 h", "output.history_interval=5 min"}},
         Kind{"TheExplicitScheme", {"coupling.scheme=explicit", "stop.time=0.06 s", "output.history_interval=0.01 s"}},
         Kind{"TheOnsetByRunaway", {"failure.onset=runaway"}},
+        Kind{
+            "ModifiedCamClay",
+            {"soils.silty_sand.strength={model: modified_cam_clay, critical_state_friction_angle: 30 deg, lambda: 0.1, "
+             "kappa: 0.02, minimum_mean_stress: 5 kPa, overconsolidation_ratio: 1.5}",
+             "water_boundaries=[{name: rain, at: free_surface, rain: {intensity: 300 mm/h}}]"}},
         Kind{"LinearShapeFunctionsAndFlip", {"numerics.shape_function=linear", "numerics.flip_fraction=0.9"}}),
     [](const auto& instance) { return std::string(instance.param.name); });
 

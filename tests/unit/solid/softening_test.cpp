@@ -43,7 +43,7 @@ TEST(SofteningRange, CanKeepTheDisplacementOfABandWhateverTheCellSize) {
     EXPECT_NEAR((fitted.to - fitted.from) * cell_size, 0.04 * 0.5, 1e-15);
   }
   VonMises strength{.undrained_strength = 1.0e4, .softening = UndrainedSoftening{2.0e3, sized}};
-  const auto law = std::get<SofteningCylinder>(make_strength_law({.strength = strength}, 0.25));
+  const auto law = std::get<SofteningCylinder>(make_strength_law({{}, strength, 0.0}, 0.25));
   EXPECT_NEAR(law.at(0.0, 0.01 + 0.04).undrained_strength, 6.0e3, 1e-9);
 }
 

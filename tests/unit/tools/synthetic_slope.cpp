@@ -31,6 +31,7 @@ void add_particle(couple::ParticleTable& table, couple::Point position, double v
   table.saturation.push_back(1.0);
   table.porosity.push_back(0.35);
   table.soil.push_back(0);
+  table.internal[0].values.push_back(1.0e4 * (1.0 + position[0]));
 }
 
 void set_suction(couple::ParticleTable& table, double suction) {
@@ -46,6 +47,7 @@ couple::ParticleTable synthetic_slope(double time, double slide, double wet_dept
   constexpr double radius = 13.0;
   couple::ParticleTable table;
   table.time = time;
+  table.internal = {{"preconsolidation_pressure", "Pa", {}}};
   for (int j = 0; j < 48; ++j) {
     for (int i = 0; i < 144; ++i) {
       const double x = (i + 0.5) * spacing;

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 #include <vtkFieldData.h>
+#include <vtkInformation.h>
+#include <vtkInformationStringKey.h>
 #include <vtkPointData.h>
 #include <vtkStringArray.h>
 
@@ -92,6 +94,19 @@ TEST(ParticleFile, GivesBackEveryValue) {
   auto* label = vtkStringArray::SafeDownCast(data->GetFieldData()->GetAbstractArray("label"));
   ASSERT_NE(label, nullptr);
   EXPECT_EQ(label->GetValue(0), "onset");
+}
+
+TEST(ParticleFile, HoldsWhatTheStrengthLawsKeepWithItsUnit) {
+  const ScratchFolder folder;
+  auto table = numbered_particles(0.0);
+  table.internal = {{"preconsolidation_pressure", "Pa", {1.5e5, 0.0, 2.5e5}}, {"second", "-", {0.1, 0.2, 0.3}}};
+  const auto data = read_particles(ParticleFileSeries(folder.path()).write(table));
+  EXPECT_EQ(data->GetPointData()->GetNumberOfArrays(), 16);
+  EXPECT_EQ(value(data, "preconsolidation_pressure", 2), 2.5e5);
+  EXPECT_EQ(value(data, "second", 1), 0.2);
+  auto* information = data->GetPointData()->GetArray("preconsolidation_pressure")->GetInformation();
+  ASSERT_TRUE(information->Has(vtkDataArray::UNITS_LABEL()));
+  EXPECT_STREQ(information->Get(vtkDataArray::UNITS_LABEL()), "Pa");
 }
 
 TEST(ParticleFile, SeriesIsCompleteAfterEachWrite) {

@@ -42,6 +42,8 @@ struct ParticleTable {
   std::vector<double> porosity;               ///< n (-)
   std::vector<double> volume;                 ///< per metre of thickness (m2)
   std::vector<int> soil;                      ///< index into Case::soils
+  /// What the strength laws keep, such as preconsolidation_pressure (Pa); empty if none keeps anything.
+  std::vector<solid::InternalField> internal;
 };
 
 /// One column of the history or budget table.
