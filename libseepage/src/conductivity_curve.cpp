@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "slope/seepage/mean_conductivity.hpp"
+
 namespace slope::seepage {
 
 namespace {
@@ -11,6 +13,7 @@ namespace {
 constexpr double per_e_fold = 16.0;       // entries
 constexpr double smallest = 1.0e-8;       // suction head of the first entry (m), unless air enters later
 constexpr double largest = 1.0e5;         // of the last one (m)
+constexpr double rounding = 1.0e-12;      // of the logarithm of a conductivity
 constexpr double least_share = 1.0e-200;  // of the saturated conductivity: its logarithm is finite
 
 double share_at(const Soil& soil, double suction_head) {
@@ -54,7 +57,27 @@ ConductivityCurve::ConductivityCurve(const Soil& soil)
     potential_slope_.push_back(-rate);
     potential_curvature_.push_back(-rate * (1.0 / per_e_fold + slope_.back()));
   }
+  kink_.assign(log_.size(), false);
+  find_kinks();
   integrate();
+  find_kinks();
+}
+
+// Whether conductivity and potential, as far as it is known, fall everywhere between an entry and the next.
+bool ConductivityCurve::falls(std::size_t i) const {
+  constexpr int parts = 32;
+  for (int k = 0; k < parts; ++k) {
+    const double t = static_cast<double>(k) / parts, next = static_cast<double>(k + 1) / parts;
+    if (log_between(i, next) > log_between(i, t) + rounding) return false;
+    if (!potential_.empty() && potential_between(i, next) > potential_between(i, t)) return false;
+  }
+  return true;
+}
+
+void ConductivityCurve::find_kinks() {
+  for (std::size_t i = 0; i + 1 < log_.size(); ++i) {
+    if (!falls(i)) kink_[i] = true;
+  }
 }
 
 // The potential at the entries, from the last to the first, by Gauss' rule with four points.
@@ -64,6 +87,11 @@ void ConductivityCurve::integrate() {
   potential_.assign(log_.size(), 0.0);
   for (std::size_t i = log_.size() - 1; i-- > 0;) {
     double sum = 0.0;
+    if (kink_[i]) {
+      const double width = std::exp(first_log_ + static_cast<double>(i) / per_e_fold) * std::expm1(1.0 / per_e_fold);
+      potential_[i] = potential_[i + 1] + width * logarithmic_mean(std::exp(log_[i]), std::exp(log_[i + 1]));
+      continue;
+    }
     for (std::size_t k = 0; k < place.size(); ++k) {
       const double suction_head = std::exp(first_log_ + (static_cast<double>(i) + place[k]) / per_e_fold);
       sum += weight[k] * std::exp(log_between(i, place[k])) * suction_head / per_e_fold;
@@ -75,11 +103,17 @@ void ConductivityCurve::integrate() {
 
 double ConductivityCurve::log_between(std::size_t i, double t) const {
   const double u = 1.0 - t, rise = log_[i + 1] - log_[i];
+  if (kink_[i]) return log_[i] + t * rise;
   return u * log_[i] + t * log_[i + 1] + t * u * ((slope_[i] - rise) * u + (rise - slope_[i + 1]) * t);
 }
 
-// Of degree five, with slopes and curvatures at both entries.
+// Of degree five, with slopes and curvatures at both entries; at a kink the integral of an exponential.
 double ConductivityCurve::potential_between(std::size_t i, double t) const {
+  if (kink_[i]) {
+    const double fall = std::max(log_[i] - log_[i + 1], rounding);
+    const double share = std::expm1(-fall * (1.0 - t)) / std::expm1(-fall) * std::exp(-fall * t);
+    return potential_[i + 1] + (potential_[i] - potential_[i + 1]) * share;
+  }
   const double rise = potential_[i + 1] - potential_[i] - potential_slope_[i] - 0.5 * potential_curvature_[i];
   const double steeper = potential_slope_[i + 1] - potential_slope_[i] - potential_curvature_[i];
   const double bend = potential_curvature_[i + 1] - potential_curvature_[i];
@@ -116,7 +150,7 @@ ConductivityCurve::Value ConductivityCurve::at(double pressure_head) const {
   const auto i = static_cast<std::size_t>(place);
   const double t = place - static_cast<double>(i), u = 1.0 - t;
   const double rise = log_[i + 1] - log_[i];
-  const double a = slope_[i] - rise, b = rise - slope_[i + 1];
+  const double a = kink_[i] ? 0.0 : slope_[i] - rise, b = kink_[i] ? 0.0 : rise - slope_[i + 1];
   const double value = std::exp(log_between(i, t));
   const double over_place = rise + (u - t) * (a * u + b * t) + t * u * (b - a);
   return {value, std::max(0.0, -value * over_place * per_e_fold / suction_head), potential_between(i, t)};

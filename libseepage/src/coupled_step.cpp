@@ -189,11 +189,11 @@ bool CoupledStep::follow_retention(const PoreFlow& flow, const Skeleton& skeleto
   if (squares <= tolerable * tolerable) return false;
   for (Tangent& tangent : tangents_) {
     const std::size_t p = tangent.particle;
-    // from the wet side not past the steepest place, behind which Newton's method would be thrown back further each
-    // time
+    // not past the steepest place from either side: behind it Newton's method would be thrown back further each time
     const double steepest = std::visit([&](const auto& law) { return -law.steepest() * flow.water().unit_weight(); },
                                        flow.soil(p).retention);
-    if (tangent.touched < steepest && touched_[p] > steepest) tangent = tangent_at(flow, p, steepest, skeleton);
+    if ((tangent.touched - steepest) * (touched_[p] - steepest) < 0.0)
+      tangent = tangent_at(flow, p, steepest, skeleton);
     const double stiffer = tangent.slope - storage_slope_[p];
     stiffness_[p] += stiffer;
     diagonal_[p] += stiffer;

@@ -12,7 +12,9 @@ namespace {
 constexpr double longest = 40.0;      // x beyond which nothing changes any more
 constexpr double bend_width = 0.005;  // of the passage to the level mean, of the conductivity
 
+// At one pressure a soil has one conductivity, whatever the last digits of the law and its table say.
 bool equal(const PotentialAt& a, const PotentialAt& b) {
+  if (std::abs(a.pressure_head - b.pressure_head) <= 1.0e-9 * std::abs(b.pressure_head)) return true;
   return std::abs(a.conductivity - b.conductivity) <= 1.0e-6 * b.conductivity;
 }
 

@@ -13,6 +13,11 @@ double ramp_share(double time, double start, double ramp) {
   return ramp > 0.0 ? std::clamp((time - start) / ramp, 0.0, 1.0) : 1.0;
 }
 
+// Whether what starts at a time holds in the step that ends at another. One that ends at the start is before it.
+bool has_begun(double time, double start) {
+  return time > start || start == 0.0;
+}
+
 // Where a place's faces lie, seen from their particles.
 Point outwards_of(Place place) {
   switch (place) {
@@ -114,11 +119,12 @@ void BoundaryConditions::start(Actions& actions) {
 
 void BoundaryConditions::apply(double time, const Mixture& mixture, Actions& actions) {
   start(actions);
-  const double shaking = time >= seismic_.start ? gravity_ * ramp_share(time, seismic_.start, seismic_.ramp) : 0.0;
+  const double shaking =
+      has_begun(time, seismic_.start) ? gravity_ * ramp_share(time, seismic_.start, seismic_.ramp) : 0.0;
   actions.body_acceleration = {shaking * seismic_.horizontal_coefficient, shaking * seismic_.vertical_coefficient};
   flood(time, false, mixture, actions);
   for (std::size_t b = 0; b < water_.size(); ++b) {
-    if (time < water_[b].start || std::holds_alternative<Reservoir>(water_[b].condition)) continue;
+    if (!has_begun(time, water_[b].start) || std::holds_alternative<Reservoir>(water_[b].condition)) continue;
     const double share = ramp_share(time, water_[b].start, water_[b].ramp);
     if (const auto* rain = std::get_if<Rain>(&water_[b].condition)) {
       add_rain(b, share * intensity_until(*rain, time), mixture, actions);
@@ -129,7 +135,7 @@ void BoundaryConditions::apply(double time, const Mixture& mixture, Actions& act
   add_seepage_faces(false, mixture, actions);
   for (std::size_t k = 0; k < tractions_.size(); ++k) {
     const Traction& traction = tractions_[k];
-    if (time < traction.start) continue;
+    if (!has_begun(time, traction.start)) continue;
     const double share = ramp_share(time, traction.start, traction.ramp);
     const Point direction = outwards_of(traction.where.place);
     for (const Face& face : traction_faces_[k]) {

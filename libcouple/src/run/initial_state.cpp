@@ -87,6 +87,10 @@ void set_horizontal_stress(solid::Particles& p, std::span<const double> k0) {
 
 // Which particle keeps the flow from being steady: the one whose pressure changed most in the latest step.
 std::string unsteady_text(const Mixture& mixture, std::span<const double> change, double longest_step) {
+  if (change.empty()) {
+    return "the steady state of the pore water before the start was not found: its equations have no solution for any "
+           "step; make the particles smaller, or give retention curves with n near 1 an air_entry";
+  }
   const std::span<const double> pressure = mixture.water.pressure();
   std::size_t worst = 0;
   for (std::size_t p = 0; p < change.size(); ++p) {

@@ -59,6 +59,20 @@ TEST(BoundaryConditions, AnEarthquakeGrowsOverItsRamp) {
   EXPECT_EQ(standing.conditions.standing_acceleration(), standing.at(0.0).body_acceleration);
 }
 
+// A step may be hours long where the water moves alone.
+TEST(BoundaryConditions, NothingActsInTheStepThatEndsWhereItStarts) {
+  Acting acting({"water_boundaries=[{name: rain, at: free_surface, start: 2 s, rain: {intensity: 10 mm/h}}]",
+                 "loads=[{name: fill, at: ground_surface, traction: [0 kPa, -10 kPa], start: 2 s}]",
+                 "seismic={horizontal_coefficient: 0.2, start: 2 s}"});
+  const Actions before = acting.at(2.0), after = acting.at(2.0 + 1e-9);
+  EXPECT_TRUE(before.water.open_faces.empty());
+  EXPECT_TRUE(before.tractions.empty());
+  EXPECT_EQ(before.body_acceleration[0], 0.0);
+  EXPECT_FALSE(after.water.open_faces.empty());
+  EXPECT_FALSE(after.tractions.empty());
+  EXPECT_NEAR(after.body_acceleration[0], 0.2 * 9.81, 1e-12);
+}
+
 /// Overrides of the quick case (ground at 1 m, face from x = 2.5 m to 7.2 m, crest at 5 m) with a lake on it.
 std::vector<std::string> lake_of(const std::string& level, const std::string& more = "") {
   return {"water_boundaries=[{name: lake, at: free_surface, initial: true, reservoir: {level: " + level + "}}" + more +

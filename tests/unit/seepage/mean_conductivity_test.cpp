@@ -58,6 +58,8 @@ TEST(MeanConductivity, IsThatOfTheWetEndOnALongWayDownIntoDrySoil) {
 TEST(MeanConductivity, OfLikeOrEqualEndsIsTheirs) {
   EXPECT_DOUBLE_EQ(kirchhoff_mean({2.0, -1.0, 3.0}, {2.0, -1.0, 3.0}, 0.3), 2.0);
   EXPECT_DOUBLE_EQ(kirchhoff_mean({2.0, 5.0, 10.0}, {2.0, 0.1, 0.2}, -0.3), 2.0);
+  for (const double drop : {-0.3, 0.0, 0.3})  // one from the law, the other from its table
+    EXPECT_DOUBLE_EQ(kirchhoff_mean({2.0, -3.0, 10.0}, {2.0002, -3.0, 10.0}, drop), 2.0001);
   EXPECT_NEAR(logarithmic_mean(8.0, 1.0), 7.0 / std::log(8.0), 1e-15);
   EXPECT_NEAR(logarithmic_mean(1.001, 1.0), 0.001 / std::log1p(0.001), 1e-12);
   EXPECT_DOUBLE_EQ(logarithmic_mean(3.0, 3.0), 3.0);
@@ -89,6 +91,28 @@ TEST(MeanConductivity, FollowsTheCurveOfTheSoilFromWetToDry) {
   }
   const PotentialAt wet = at(0.0), dry = at(-15.0);
   EXPECT_GT(logarithmic_mean(wet.conductivity, dry.conductivity) / kirchhoff_mean(wet, dry, 0.0), 10.0);
+}
+
+// Liakopoulos' law passes zero at a suction head of 1.03 m here, and falls within a part of a millimetre to its floor.
+TEST(MeanConductivity, IsPositiveWhereTheLawComesToItsFloor) {
+  Soil soil;
+  soil.retention = ExponentialRetention{.alpha = 1.443385, .range = {0.1769641, 1.0}};
+  soil.relative_permeability.law = LiakopoulosPermeability{.coefficient = 1.801, .exponent = 1.344};
+  soil.hydraulic_conductivity = saturated;
+  const ConductivityCurve curve(soil);
+  const auto at = [&](double suction_head) {
+    const ConductivityCurve::Value value = curve.at(-suction_head);
+    return PotentialAt{value.conductivity, -suction_head, value.potential};
+  };
+  for (double h = 0.9; h < 1.3; h += 0.001) {
+    const PotentialAt wet = at(h), drier = at(h + 0.0005), dry = at(200.0);
+    EXPECT_GE(wet.conductivity, drier.conductivity) << h;
+    EXPECT_GT(wet.potential, drier.potential) << h;
+    for (const double drop : {-0.3, 0.0, 0.3}) {
+      EXPECT_GT(kirchhoff_mean(wet, drier, drop), 0.0) << h << " " << drop;
+      EXPECT_GT(kirchhoff_mean(wet, dry, drop), 0.0) << h << " " << drop;
+    }
+  }
 }
 
 TEST(MeanConductivity, HasItsSlope) {

@@ -9,7 +9,9 @@ namespace slope::seepage {
 
 /// The conductivity k k_rw of a soil over the pressure head, and its integral, from a table: for where they are wanted
 /// at a pressure that no particle has, many times in a step. Its entries lie sixteen to a factor of e of suction;
-/// between them the logarithm of the conductivity is cubic, and it is within 1e-4 of the soil's own laws.
+/// between them the logarithm of the conductivity is cubic, and it is within 1e-4 of the soil's own laws. Where a law
+/// has a kink, as one that comes to its floor has, no cubic follows it: there the logarithm is straight. Conductivity
+/// and potential never fall with the pressure.
 class ConductivityCurve {
  public:
   struct Value {
@@ -33,6 +35,8 @@ class ConductivityCurve {
 
  private:
   void integrate();
+  void find_kinks();
+  [[nodiscard]] bool falls(std::size_t i) const;
   [[nodiscard]] double log_between(std::size_t i, double t) const;
   [[nodiscard]] double potential_between(std::size_t i, double t) const;
 
@@ -43,6 +47,7 @@ class ConductivityCurve {
   double wet_potential_ = 0.0;  // at wet_
   // ln K and its slope; the potential, its slope and curvature; all over the number of the entry
   std::vector<double> log_, slope_, potential_, potential_slope_, potential_curvature_;
+  std::vector<bool> kink_;  // between an entry and the next
 };
 
 }  // namespace slope::seepage
