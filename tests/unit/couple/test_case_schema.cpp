@@ -137,12 +137,19 @@ std::string word_for(const Document& entry, std::size_t number) {
   return name != nullptr ? name->value : std::to_string(number);
 }
 
+/// The schema that conditions leave for a document.
+const Document& branch_for(const Document& document, const Document& schema) {
+  const Document* condition = schema.find("if");
+  if (condition == nullptr) return schema;
+  const bool holds = schema_violations(*condition, document).empty();
+  return branch_for(document, *schema.find(holds ? "then" : "else"));
+}
+
 /// Compares, for every map of the document, what schema and reader say its keys are. Nothing in it builds on another
 /// file.
 void compare_keys(const std::filesystem::path& file, const Document& any_schema, const Document& document,
                   const std::string& path, std::set<std::string>& seen) {
-  const Document* alone = any_schema.find("else");
-  const Document& schema = alone != nullptr ? *alone : any_schema;
+  const Document& schema = branch_for(document, any_schema);
   const bool named = schema.find("propertyNames") != nullptr;
   if (document.kind == Document::Kind::map && !named) {
     EXPECT_EQ(keys_of(schema, document), keys_the_reader_lists(file, path)) << path;

@@ -31,7 +31,7 @@ void add_particle(couple::ParticleTable& table, couple::Point position, double v
   table.saturation.push_back(1.0);
   table.porosity.push_back(0.35);
   table.soil.push_back(0);
-  table.internal[0].values.push_back(1.0e4 * (1.0 + position[0]));
+  for (auto& field : table.internal) field.values.push_back(1.0e4 * (1.0 + position[0]));
 }
 
 void set_suction(couple::ParticleTable& table, double suction) {
