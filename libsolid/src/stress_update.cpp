@@ -6,7 +6,9 @@ namespace slope::solid {
 
 namespace {
 
-// Brings a stress to the yield surface of whichever law it is; whether the soil yields.
+// Brings a stress to the yield surface of whichever law it is, by a flow that keeps the volume where its change is in
+// the stress already; whether the soil yields.
+template <bool keeps_volume>
 struct Yielding {
   double suction, plastic_strain;
   const Elastic& elastic;
@@ -17,6 +19,8 @@ struct Yielding {
   bool operator()(const Law& law) const {
     if constexpr (LawWithState<Law>) {
       return false;  // it comes later, and finds the stress turned by the spin
+    } else if constexpr (keeps_volume) {
+      return return_to_yield_surface(law.at(suction, plastic_strain).isochoric(), elastic, stress) != Return::elastic;
     } else {
       return return_to_yield_surface(law.at(suction, plastic_strain), elastic, stress) != Return::elastic;
     }
@@ -38,24 +42,6 @@ struct Dilating {
       SymmetricTensor stress = trial;
       return_to_yield_surface(law.at(suction, plastic_strain), elastic, stress);
       return (trace(trial) - trace(stress)) / (3.0 * elastic.bulk_modulus());
-    }
-  }
-};
-
-// Brings a stress to the yield surface when the volume change of the plastic flow is in it already; whether the soil
-// yields.
-struct Shearing {
-  double suction, plastic_strain;
-  const Elastic& elastic;
-  SymmetricTensor& stress;
-
-  bool operator()(const NoYield& /*none*/) const { return false; }
-  template <class Law>
-  bool operator()(const Law& law) const {
-    if constexpr (LawWithState<Law>) {
-      return false;  // as above
-    } else {
-      return return_to_yield_surface(law.at(suction, plastic_strain).isochoric(), elastic, stress) != Return::elastic;
     }
   }
 };
@@ -131,8 +117,8 @@ void MaterialPointMethod::strain_particles(double dt, std::span<const double> su
     }
     if (mode.yields) {
       const SymmetricTensor trial = stress;
-      const Yielding yielding{suction.empty() ? 0.0 : suction[p], state_.particles.plastic_strain[p], material.elastic,
-                              stress};
+      const Yielding<false> yielding{suction.empty() ? 0.0 : suction[p], state_.particles.plastic_strain[p],
+                                     material.elastic, stress};
       if (std::visit(yielding, material.strength) && mode.accumulates_strain) {
         state_.particles.plastic_strain[p] += plastic_increment(trial, stress, material.shear);
       }
@@ -158,9 +144,9 @@ void MaterialPointMethod::yield_with_shared_dilation(std::span<const double> suc
     const SymmetricTensor& tried = trial_stress_[p];
     const SymmetricTensor trial{tried.xx - lost, tried.yy - lost, tried.zz - lost, tried.xy};
     SymmetricTensor stress = trial;
-    const Shearing shearing{suction.empty() ? 0.0 : suction[p], state_.particles.plastic_strain[p], material.elastic,
-                            stress};
-    if (std::visit(shearing, material.strength) && mode.accumulates_strain) {
+    const Yielding<true> yielding{suction.empty() ? 0.0 : suction[p], state_.particles.plastic_strain[p],
+                                  material.elastic, stress};
+    if (std::visit(yielding, material.strength) && mode.accumulates_strain) {
       state_.particles.plastic_strain[p] += plastic_increment(trial, stress, material.shear);
     }
     state_.particles.sxx[p] = stress.xx;

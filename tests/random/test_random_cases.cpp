@@ -62,6 +62,14 @@ class Judged : public testing::Test {
     promises.look_at_end(after);
     return promises.broken();
   }
+  /// Whether a value in the place of another is.
+  [[nodiscard]] bool seen(double& place, double value) const {
+    const double kept = place;
+    place = value;
+    const bool is_seen = !broken().empty();
+    place = kept;
+    return is_seen;
+  }
 
   couple::Case input;
   couple::Simulation simulation;
@@ -92,13 +100,6 @@ TEST_F(Judged, WaterThatIsLostIsSeen) {
 
 TEST_F(Judged, NoNumberIsSeenInAnyField) {
   const double none = std::numeric_limits<double>::quiet_NaN();
-  const auto seen = [this](double& place, double value) {
-    const double kept = place;
-    place = value;
-    const bool is_seen = !broken().empty();
-    place = kept;
-    return is_seen;
-  };
   EXPECT_TRUE(seen(now.pore_pressure[3], none));
   EXPECT_TRUE(seen(now.stress_effective[3].yy, none));
   EXPECT_TRUE(seen(now.displacement[3][0], none));
@@ -107,13 +108,6 @@ TEST_F(Judged, NoNumberIsSeenInAnyField) {
 }
 
 TEST_F(Judged, WhatCannotBeIsSeen) {
-  const auto seen = [this](double& place, double value) {
-    const double kept = place;
-    place = value;
-    const bool is_seen = !broken().empty();
-    place = kept;
-    return is_seen;
-  };
   EXPECT_TRUE(seen(now.saturation[3], 1.01));
   EXPECT_TRUE(seen(now.porosity[3], -0.1));
   EXPECT_TRUE(seen(now.position[3][1], -0.01));

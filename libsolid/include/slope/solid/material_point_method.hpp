@@ -313,7 +313,7 @@ class MaterialPointMethod {
     double shear, bulk, lame;
     bool dilates;
     StrengthLaw strength;
-    bool has_state = is_law_with_state(strength);  // elastic then says nothing, and shear and lame are zero
+    bool has_state = is_law_with_state(strength);  // elastic then says nothing; the three moduli are zero
   };
 
   template <class Shape>
