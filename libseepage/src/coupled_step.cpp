@@ -12,6 +12,8 @@ namespace {
 // keeps to the retention curves.
 constexpr int most_passes = 20;
 constexpr int most_iterations = 500;
+// Up to which pairs keep their conductances from one step to the next.
+constexpr double conductance_tolerance = 1.0e-3;
 
 // How much further than asked for conjugate gradients reduce a residual, which they weigh by the diagonal: what much
 // more permeable soils lack of water counts for too little beside the others.
@@ -79,7 +81,7 @@ void CoupledStep::set_up(PoreFlow& flow, const Skeleton& skeleton, std::span<con
   const std::span<const double> pressure_head = flow.pressure_head(), capacity = flow.capacity();
   const std::span<const double> defect = flow.state().defect;
   for (std::size_t p = 0; p < n; ++p) head_[p] = pressure_head[p] + skeleton.y[p];
-  flow.find_conductances();
+  flow.find_conductances(conductance_tolerance);
   flow.head_operator().apply(head_, flow_.outflow);
   response.diagonal(volume_change_);
   const std::span<const double> flow_diagonal = flow.head_operator().diagonal();

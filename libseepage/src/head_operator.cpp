@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "moment_correction.hpp"
@@ -17,6 +18,8 @@ namespace {
 constexpr double follow_distance = 0.01;
 // Distance of a particle from a seam at least, over the spacing; half of it in a lattice.
 constexpr double least_distance = 0.25;
+// The pressure head for which a particle's conductances were worked out, when they were not: far from all (m).
+constexpr double unknown = std::numeric_limits<double>::infinity();
 
 double checked(double spacing, double smoothing_ratio, const MirrorWalls& walls, int threads) {
   require_above(0.0, "spacing", spacing);
@@ -50,26 +53,40 @@ bool HeadOperator::update(const Skeleton& skeleton) {
   state_.y.assign(skeleton.y.begin(), skeleton.y.end());
   state_.volume.assign(skeleton.volume.begin(), skeleton.volume.end());
   find_pairs();
-  state_.seam_pressure_head.assign(seams_.size(), 0.0);
+  for (auto* field : {&state_.conductivity, &state_.potential}) field->assign(n, 0.0);
+  state_.pressure_head.assign(n, unknown);
+  for (auto* field : {&state_.seam_conductivity, &state_.seam_pressure_head, &state_.seam_reach}) {
+    field->assign(seams_.size(), 0.0);
+  }
   return true;
 }
 
 void HeadOperator::set_state(State state) {
   const std::size_t n = state.x.size();
-  if (state.y.size() != n || state.volume.size() != n || (!soil_.empty() && soil_.size() != n)) {
-    throw std::invalid_argument("the arrays of the head operator's state differ in length");
+  for (const auto* field : {&state.y, &state.volume, &state.conductivity, &state.pressure_head, &state.potential}) {
+    if (field->size() != n || (!soil_.empty() && soil_.size() != n)) {
+      throw std::invalid_argument("the arrays of the head operator's state differ in length");
+    }
   }
   state_ = std::move(state);
   find_pairs();
-  if (state_.seam_pressure_head.size() != seams_.size()) {
-    throw std::invalid_argument("the head operator's state has another number of pairs across seams");
+  for (const auto* field : {&state_.seam_conductivity, &state_.seam_pressure_head, &state_.seam_reach}) {
+    if (field->size() != seams_.size()) {
+      throw std::invalid_argument("the head operator's state has another number of pairs across seams");
+    }
   }
+  stale_.assign(n, 1);
+  for (std::size_t k = 0; k < seams_.size(); ++k) {
+    set_conductance(seams_[k].place, seams_[k].factor * state_.seam_conductivity[k]);
+  }
+  find_kirchhoff_conductances();
 }
 
 void HeadOperator::find_pairs() {
   neighbours_ = find_neighbours(state_.x, state_.y, kernel_.support(), threads_);
   find_images({state_.x, state_.y, state_.volume, {}}, neighbours_, walls_, kernel_, lattice_scale_, images_);
   find_pair_factors();
+  find_ways_back();
   if (curves_.size() > 1) find_seams();
 }
 
@@ -79,7 +96,7 @@ void HeadOperator::find_pair_factors() {
   factor_.assign(neighbours_.index.size(), 0.0);
   conductance_.assign(factor_.size(), 0.0);
   diagonal_.resize(n);
-  conductivity_.resize(n);
+  stale_.resize(n);
 #pragma omp parallel for schedule(static) num_threads(threads_) if (threads_ > 1)
   for (std::size_t p = 0; p < n; ++p) {
     std::size_t s = neighbours_.start[p];
@@ -91,20 +108,41 @@ void HeadOperator::find_pair_factors() {
   }
 }
 
+// The particles that follow p in the order of all are the last of its neighbours, and come to it in their own order.
+void HeadOperator::find_ways_back() {
+  back_.resize(neighbours_.index.size());
+  std::vector<std::size_t> next(neighbours_.start.begin(), neighbours_.start.end() - 1);
+  for (std::size_t p = 0; p < neighbours_.size(); ++p) {
+    for (std::size_t s = first_after(p); s < neighbours_.start[p + 1]; ++s) {
+      const std::size_t back = next[neighbours_.index[s]]++;
+      back_[s] = static_cast<std::uint32_t>(back);
+      back_[back] = static_cast<std::uint32_t>(s);
+    }
+  }
+}
+
+// Where the neighbours of p begin that follow it in the order of all.
+std::size_t HeadOperator::first_after(std::size_t p) const {
+  const auto row = neighbours_.of(p);
+  return neighbours_.start[p] + static_cast<std::size_t>(std::ranges::lower_bound(row, p) - row.begin());
+}
+
+void HeadOperator::set_conductance(std::size_t s, double conductance) {
+  conductance_[s] = conductance_[back_[s]] = conductance;
+}
+
 // Takes the pairs across seams out of factor_.
 void HeadOperator::find_seams() {
   seams_.clear();
   seam_at_.resize(neighbours_.index.size());
   for (std::uint32_t p = 0; p < neighbours_.size(); ++p) {
-    for (std::size_t s = neighbours_.start[p]; s < neighbours_.start[p + 1]; ++s) {
+    for (std::size_t s = first_after(p); s < neighbours_.start[p + 1]; ++s) {
       const std::uint32_t q = neighbours_.index[s];
-      if (q < p || soil_[p] == soil_[q]) continue;
-      const auto row = neighbours_.of(q);
-      const auto back = neighbours_.start[q] + static_cast<std::size_t>(std::ranges::lower_bound(row, p) - row.begin());
+      if (soil_[p] == soil_[q]) continue;
       const double here = seam_distance(p, q), there = seam_distance(q, p);
-      seam_at_[s] = seam_at_[back] = static_cast<std::uint32_t>(seams_.size());
-      seams_.push_back({p, q, s, back, factor_[s], here / (here + there), {}});
-      factor_[s] = factor_[back] = 0.0;
+      seam_at_[s] = seam_at_[back_[s]] = static_cast<std::uint32_t>(seams_.size());
+      seams_.push_back({p, q, s, factor_[s], here / (here + there)});
+      factor_[s] = factor_[back_[s]] = 0.0;
     }
   }
 }
@@ -120,8 +158,12 @@ double HeadOperator::seam_distance(std::size_t p, std::size_t q) const {
   return std::max(std::sqrt(nearest) - 0.5 * spacing_, least_distance * spacing_);
 }
 
+PotentialAt HeadOperator::potential_at(std::size_t p) const {
+  return {state_.conductivity[p], state_.pressure_head[p], state_.potential[p]};
+}
+
 SeamLeg HeadOperator::leg(std::size_t p, double share, double drop) const {
-  return {conductivity_[p], &curves_[soil_[p]], share, share * drop};
+  return {potential_at(p), &curves_[soil_[p]], share, share * drop};
 }
 
 SeamLeg HeadOperator::first_leg(const Seam& seam) const {
@@ -133,44 +175,64 @@ SeamLeg HeadOperator::second_leg(const Seam& seam) const {
 }
 
 void HeadOperator::set_conductivity(std::span<const double> conductivity) {
-  for (std::size_t p = 0; p < diagonal_.size(); ++p) conductivity_[p] = {conductivity[p], 0.0, 0.0};
+  std::ranges::copy(conductivity, state_.conductivity.begin());
+  std::ranges::fill(state_.pressure_head, unknown);
+  std::ranges::fill(stale_, std::uint8_t{1});
   find_conductances([this](std::size_t p, std::size_t q) {
-    return logarithmic_mean(conductivity_[p].conductivity, conductivity_[q].conductivity);
+    return logarithmic_mean(state_.conductivity[p], state_.conductivity[q]);
   });
 }
 
 void HeadOperator::set_conductivity(std::span<const double> conductivity, std::span<const double> pressure_head,
-                                    std::span<const double> potential) {
+                                    std::span<const double> potential, double tolerance) {
+  std::size_t count = 0;
+#pragma omp parallel for schedule(static) num_threads(threads_) if (threads_ > 1) reduction(+ : count)
   for (std::size_t p = 0; p < diagonal_.size(); ++p) {
-    conductivity_[p] = {conductivity[p], pressure_head[p], potential[p]};
+    const double head_change = std::abs(pressure_head[p] - state_.pressure_head[p]);
+    const double change = std::abs(conductivity[p] - state_.conductivity[p]);
+    const bool same = head_change <= tolerance * spacing_ && change <= tolerance * state_.conductivity[p];
+    stale_[p] = same ? 0 : 1;
+    if (same) continue;
+    ++count;
+    state_.conductivity[p] = conductivity[p];
+    state_.pressure_head[p] = pressure_head[p];
+    state_.potential[p] = potential[p];
   }
+  if (count == 0) return;
 #pragma omp parallel for schedule(static) num_threads(threads_) if (threads_ > 1)
   for (std::size_t k = 0; k < seams_.size(); ++k) {
-    Seam& seam = seams_[k];
-    seam.mean = seam_mean(first_leg(seam), second_leg(seam), state_.seam_pressure_head[k]);
-    state_.seam_pressure_head[k] = seam.mean.pressure_head;
-    conductance_[seam.place] = conductance_[seam.back] = seam.factor * seam.mean.conductivity;
+    const Seam& seam = seams_[k];
+    if ((stale_[seam.first] | stale_[seam.second]) == 0) continue;
+    const SeamMean mean = seam_mean(first_leg(seam), second_leg(seam), state_.seam_pressure_head[k]);
+    state_.seam_conductivity[k] = mean.conductivity;
+    state_.seam_pressure_head[k] = mean.pressure_head;
+    state_.seam_reach[k] = mean.first_reach;
+    set_conductance(seam.place, seam.factor * mean.conductivity);
   }
+  find_kirchhoff_conductances();
+}
+
+void HeadOperator::find_kirchhoff_conductances() {
   find_conductances([this](std::size_t p, std::size_t q) {
-    return kirchhoff_mean(conductivity_[p], conductivity_[q], state_.y[p] - state_.y[q]);
+    return kirchhoff_mean(potential_at(p), potential_at(q), state_.y[p] - state_.y[q]);
   });
 }
 
-// The conductances of pairs in one soil, with the mean(p, q) of two particles' conductivities, and their sums with
-// those across seams.
+// The conductances of stale pairs in one soil, with the mean(p, q) of two particles' conductivities, and the sums of
+// all.
 template <class Mean>
 void HeadOperator::find_conductances(const Mean& mean) {
 #pragma omp parallel for schedule(static) num_threads(threads_) if (threads_ > 1)
   for (std::size_t p = 0; p < diagonal_.size(); ++p) {
-    double sum = 0.0;
-    for (std::size_t s = neighbours_.start[p]; s < neighbours_.start[p + 1]; ++s) {
-      if (factor_[s] != 0.0) {
-        const std::size_t q = neighbours_.index[s];
-        const auto [first, second] = std::minmax(p, q);  // the same for both particles, to the last digit
-        conductance_[s] = factor_[s] * mean(first, second);
-      }
-      sum += conductance_[s];
+    for (std::size_t s = first_after(p); s < neighbours_.start[p + 1]; ++s) {
+      const std::size_t q = neighbours_.index[s];
+      if ((stale_[p] | stale_[q]) != 0 && factor_[s] != 0.0) set_conductance(s, factor_[s] * mean(p, q));
     }
+  }
+#pragma omp parallel for schedule(static) num_threads(threads_) if (threads_ > 1)
+  for (std::size_t p = 0; p < diagonal_.size(); ++p) {
+    double sum = 0.0;
+    for (std::size_t s = neighbours_.start[p]; s < neighbours_.start[p + 1]; ++s) sum += conductance_[s];
     diagonal_[p] = sum;
   }
 }
@@ -178,14 +240,15 @@ void HeadOperator::find_conductances(const Mean& mean) {
 double HeadOperator::flow_slope(std::size_t p, std::size_t s, double slope, double fall) const {
   const std::size_t q = neighbours_.index[s];
   if (!soil_.empty() && soil_[p] != soil_[q]) {
-    const Seam& seam = seams_[seam_at_[s]];
+    const std::size_t k = seam_at_[s];
+    const Seam& seam = seams_[k];
     const bool from_first = p == seam.first;
-    const double reach = from_first ? seam.mean.first_reach : 1.0 - seam.mean.first_reach;
-    return seam.factor *
-           (seam_flow_slope(from_first ? first_leg(seam) : second_leg(seam), seam.mean.pressure_head, reach, slope) -
-            seam.mean.conductivity);
+    const double reach = from_first ? state_.seam_reach[k] : 1.0 - state_.seam_reach[k];
+    return seam.factor * (seam_flow_slope(from_first ? first_leg(seam) : second_leg(seam), state_.seam_pressure_head[k],
+                                          reach, slope) -
+                          state_.seam_conductivity[k]);
   }
-  return factor_[s] * fall * kirchhoff_mean_slope(conductivity_[p], conductivity_[q], state_.y[p] - state_.y[q], slope);
+  return factor_[s] * fall * kirchhoff_mean_slope(potential_at(p), potential_at(q), state_.y[p] - state_.y[q], slope);
 }
 
 void HeadOperator::apply(std::span<const double> head, std::span<double> outflow) const {

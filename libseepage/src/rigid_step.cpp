@@ -90,7 +90,7 @@ RigidStep::Imbalance RigidStep::find_imbalance(PoreFlow& flow, const Skeleton& s
   const PoreFlow::State& state = flow.state();
   const double bulk_modulus = flow.water().bulk_modulus;
   for (std::size_t p = 0; p < n; ++p) head_[p] = pressure_head[p] + skeleton.y[p];
-  flow.find_conductances();
+  flow.find_conductances(0.0);
   flow.head_operator().apply(head_, flow_.outflow);
   for (std::size_t p = 0; p < n; ++p) {
     stiffness_[p] = skeleton.volume[p] * skeleton.porosity[p] *

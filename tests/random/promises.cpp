@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <tuple>
 #include <utility>
 
@@ -19,8 +20,9 @@ using couple::ParticleTable;
 
 // What is promised: the water's books close to a ten-thousandth of what went in or out (the verification asks for 1e-3
 // to 1e-6, and reaches 3e-5 through ponding, drying and slides). Where little flows, to a millionth of what the pores
-// held; in the coupled schemes to what a step leaves to the next, a share of what it moves.
-constexpr double most_missing_of_flow = 1.0e-4, most_missing_of_storage = 1.0e-6, most_missing_of_coupled = 1.0e-4;
+// held; and in the coupled schemes to what a step leaves to the next, numerics.pressure_tolerance of what it moves,
+// which is no more than the most that was moved between two looks.
+constexpr double most_missing_of_flow = 1.0e-4, most_missing_of_storage = 1.0e-6;
 constexpr double rounding = 1.0e-9;
 constexpr double a_sliver = 1.0e-6;       // of a step, by which a run may end beside its time
 constexpr double most_rain_off = 0.03;    // what falls, over intensity times width: the surface is found from particles
@@ -54,10 +56,16 @@ std::pair<double, double> ground_range(const Case& input, const ParticleTable& s
   return {low - spacing, high};
 }
 
-double stored(const ParticleTable& now, const std::vector<double>& volume, const std::vector<double>& porosity) {
-  double sum = 0.0;
-  for (std::size_t p = 0; p < volume.size(); ++p) sum += volume[p] * porosity[p] * now.saturation[p];
-  return sum;
+/// Water in each particle's pores (m2).
+std::vector<double> contents(const ParticleTable& now, const std::vector<double>& volume,
+                             const std::vector<double>& porosity) {
+  std::vector<double> content;
+  for (std::size_t p = 0; p < volume.size(); ++p) content.push_back(volume[p] * porosity[p] * now.saturation[p]);
+  return content;
+}
+
+double sum_of(const std::vector<double>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0);
 }
 
 std::pair<double, double> range_of(const couple::TimeSeries& series) {
@@ -159,7 +167,9 @@ Promises::Promises(const Case& input, const ParticleTable& start, const couple::
     : input_(input),
       first_volume_(start.volume),
       first_porosity_(start.porosity),
-      first_storage_(stored(start, start.volume, start.porosity)) {
+      contents_(contents(start, start.volume, start.porosity)),
+      volumes_(start.volume),
+      first_storage_(sum_of(contents_)) {
   Heads heads;
   const double unit_weight = input.water.density * input.gravity;
   for (std::size_t p = 0; p < start.position.size(); ++p) {
@@ -234,14 +244,22 @@ void Promises::look_at_heads(const ParticleTable& now, double displacement) {
 
 void Promises::look_at_water(const ParticleTable& now, const couple::WaterBudget& water) {
   const bool same_pores = moves_no_water_by_strain(input_);
-  const double of_storage =
-      input_.scheme == couple::Scheme::seepage ? most_missing_of_storage : most_missing_of_coupled;
-  const double storage =
-      same_pores ? stored(now, first_volume_, first_porosity_) : stored(now, now.volume, now.porosity);
+  const std::vector<double> volumes = std::exchange(volumes_, now.volume);
+  const std::vector<double> before = std::exchange(
+      contents_, same_pores ? contents(now, first_volume_, first_porosity_) : contents(now, now.volume, now.porosity));
+  const double storage = sum_of(contents_);
+  double moved = 0.0;  // since the last look, at least: by flow, and by the pores that held it
+  for (std::size_t p = 0; p < before.size(); ++p) {
+    const double squeezed = same_pores ? 0.0 : now.saturation[p] * std::abs(volumes_[p] - volumes[p]);
+    moved += squeezed + std::abs(contents_[p] - before[p]);
+  }
+  most_moved_ = std::max(most_moved_, moved);
+  const double carried =
+      input_.scheme == couple::Scheme::seepage ? 0.0 : input_.numerics.pressure_tolerance * most_moved_;
   const double flow = std::max(water.infiltration, water.outflow);
   // the paper's own cycle neither solves for the balance nor carries over what is missing
   const bool promised = input_.scheme != couple::Scheme::explicit_two_pass;
-  const double bound = most_missing_of_flow * flow + of_storage * first_storage_;
+  const double bound = most_missing_of_flow * flow + most_missing_of_storage * first_storage_ + carried;
   const double missing = water.infiltration - water.outflow - water.storage;
   water_error_ = std::max(water_error_, std::abs(missing) / std::max(flow, 1.0e-2 * first_storage_));
   expect(std::abs(missing) <= bound || (!promised && std::isfinite(missing)),

@@ -254,7 +254,7 @@ TEST_P(LayeredBlock, ConductsInSeriesExactly) {
                     1);
     op.set_soils(soil, {curves[0], curves[1]});
     op.update(block.skeleton());
-    op.set_conductivity(conductivity, pressure_head, potential);
+    op.set_conductivity(conductivity, pressure_head, potential, 0.0);
     for (int line = side - 2; line <= side + rows + 2; ++line) {
       double flow = 0.0;
       for (std::size_t p = 0; p < block.size(); ++p) {

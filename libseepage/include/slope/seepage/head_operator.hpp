@@ -27,17 +27,23 @@ namespace slope::seepage {
 /// linear in each of two layers a pair across their seam then conducts what a pair in one soil does.
 class HeadOperator {
  public:
-  /// What the pair factors were worked out for, and where the search for the pressures at the seams begins.
+  /// What the pair factors and the conductances were worked out for, and what was found at the seams.
   struct State {
-    std::vector<double> x, y;                ///< positions then (m)
-    std::vector<double> volume;              ///< then (m2)
-    std::vector<double> seam_pressure_head;  ///< of each pair across a seam, when last found (m)
+    std::vector<double> x, y;                                               ///< positions then (m)
+    std::vector<double> volume;                                             ///< then (m2)
+    std::vector<double> conductivity, pressure_head, potential;             ///< of the particles (m/s, m, m2/s)
+    std::vector<double> seam_conductivity, seam_pressure_head, seam_reach;  ///< the SeamMean of each pair across one
 
     template <class Self, class Visit>
     static void for_each_field(Self& s, const Visit& visit) {
       visit("x", s.x), visit("y", s.y);
       visit("volume", s.volume);
+      visit("conductivity", s.conductivity);
+      visit("pressure_head", s.pressure_head);
+      visit("potential", s.potential);
+      visit("seam_conductivity", s.seam_conductivity);
       visit("seam_pressure_head", s.seam_pressure_head);
+      visit("seam_reach", s.seam_reach);
     }
     bool operator==(const State&) const = default;
   };
@@ -55,16 +61,21 @@ class HeadOperator {
   bool update(const Skeleton& skeleton);
 
   [[nodiscard]] const State& state() const { return state_; }
-  /// Goes on from a state that one with the same soils had; conductances have to be set anew.
+  /// Goes on from a state that one with the same soils had.
   /// @throws std::invalid_argument if its arrays do not belong together
   void set_state(State state);
 
   /// Conductances of the pairs for the conductivities K_p = k k_rw (m/s), with K_pq the logarithmic mean.
   void set_conductivity(std::span<const double> conductivity);
   /// Conductances of the pairs for what the soils conduct at the particles' pressure heads psi = P_w / gamma_w (m).
+  /// A particle may count as it did at an earlier call, so that the pairs which nothing happens to keep their
+  /// conductances.
   /// @param potential  matric flux potential there (m2/s), of set_soils()'s curves
+  /// @param tolerance  change of a particle's pressure head, over the spacing, and of its conductivity, over itself, up
+  /// to which it counts as before (-), >= 0; the conductances are then those of other heads, which are nowhere farther
+  /// from the present ones
   void set_conductivity(std::span<const double> conductivity, std::span<const double> pressure_head,
-                        std::span<const double> potential);
+                        std::span<const double> potential, double tolerance);
 
   /// outflow = L h (m2/s).
   void apply(std::span<const double> head, std::span<double> outflow) const;
@@ -85,21 +96,25 @@ class HeadOperator {
                 std::span<double> dy) const;
 
  private:
-  // A pair across a seam, which stands in two places of neighbours_.index.
+  // A pair across a seam.
   struct Seam {
     std::uint32_t first, second;  // particles, first < second
-    std::size_t place, back;      // of the second among the neighbours of the first, and the other way round
+    std::size_t place;            // of the second among the neighbours of the first
     double factor;                // g_pq
     double share;                 // of the path that lies in the soil of the first
-    SeamMean mean;
   };
 
   void find_pairs();
   void find_pair_factors();
+  void find_ways_back();
   void find_seams();
+  [[nodiscard]] std::size_t first_after(std::size_t p) const;
+  void set_conductance(std::size_t s, double conductance);
+  void find_kirchhoff_conductances();
   template <class Mean>
   void find_conductances(const Mean& mean);
   [[nodiscard]] double seam_distance(std::size_t p, std::size_t q) const;
+  [[nodiscard]] PotentialAt potential_at(std::size_t p) const;
   [[nodiscard]] SeamLeg leg(std::size_t p, double share, double drop) const;
   [[nodiscard]] SeamLeg first_leg(const Seam& seam) const;
   [[nodiscard]] SeamLeg second_leg(const Seam& seam) const;
@@ -112,10 +127,11 @@ class HeadOperator {
   Neighbours neighbours_;
   Images images_;
   State state_;
-  std::vector<double> factor_;             // g_pq; 0 across seams
-  std::vector<double> conductance_;        // g_pq K_pq
-  std::vector<PotentialAt> conductivity_;  // of the particles
+  std::vector<std::uint32_t> back_;  // where the pair that stands in a place of neighbours_.index stands a second time
+  std::vector<double> factor_;       // g_pq; 0 across seams
+  std::vector<double> conductance_;  // g_pq K_pq
   std::vector<double> diagonal_;
+  std::vector<std::uint8_t> stale_;  // whether the conductances of a particle's pairs are to be found anew
   std::vector<std::uint16_t> soil_;  // empty: one soil
   std::vector<ConductivityCurve> curves_;
   std::vector<Seam> seams_;

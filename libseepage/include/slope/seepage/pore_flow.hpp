@@ -88,7 +88,7 @@ class PoreFlow {
            std::span<const double> pressure, const Skeleton& skeleton, const FlowSettings& settings);
 
   [[nodiscard]] const State& state() const { return state_; }
-  /// Goes on from a state that one with the same soils had. Conductances are those of the next step on.
+  /// Goes on from a state that one with the same soils had.
   /// @throws std::invalid_argument if there is not an entry for each particle
   void set_state(State state, HeadOperator::State head_operator);
 
@@ -135,8 +135,11 @@ class PoreFlow {
 
   /// Takes up the skeleton's present positions.
   void follow(const Skeleton& skeleton) { operator_.update(skeleton); }
-  /// Works the conductances of the head operator out at the present pressure.
-  void find_conductances() { operator_.set_conductivity(conductivity_, pressure_head_, potential_); }
+  /// Works the conductances of the head operator out at the present pressure, or where particles have changed by less
+  /// than a tolerance at an earlier one: HeadOperator::set_conductivity().
+  void find_conductances(double tolerance) {
+    operator_.set_conductivity(conductivity_, pressure_head_, potential_, tolerance);
+  }
   /// Goes to other pressures (Pa) and evaluates the soil at them; nothing is booked.
   void set_pressure(std::span<const double> pressure);
   /// Books the water of a step that ends at the present pressure: what is in the pores now, what came by the
