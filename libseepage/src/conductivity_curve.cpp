@@ -22,7 +22,7 @@ double share_at(const Soil& soil, double suction_head) {
 }
 
 // The largest suction head at which the soil conducts as at zero suction.
-double wet_until(const Soil& soil) {
+double find_wet_end(const Soil& soil) {
   const double full = share_at(soil, 0.0);
   if (share_at(soil, smallest) < full) return 0.0;
   double wet = smallest, dry = largest;
@@ -43,7 +43,7 @@ const Soil& checked(const Soil& soil) {
 
 ConductivityCurve::ConductivityCurve(const Soil& soil)
     : saturated_(checked(soil).hydraulic_conductivity * share_at(soil, 0.0)),
-      wet_(wet_until(soil)),
+      wet_(find_wet_end(soil)),
       first_(std::max(wet_ * (1.0 + 1.0e-9), smallest)),
       first_log_(std::log(first_)) {
   const auto cells = static_cast<std::size_t>(std::max(1.0, std::ceil((std::log(largest) - first_log_) * per_e_fold)));

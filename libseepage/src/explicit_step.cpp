@@ -24,14 +24,15 @@ void ExplicitStep::advance(PoreFlow& flow, double time_step, const Skeleton& ske
                            std::span<const double> vy, const Boundary& boundary) {
   const std::size_t n = flow.size();
   assert(time_step > 0.0 && skeleton.size() == n && vx.size() == n && vy.size() == n);
-  for (auto* field : {&head_, &wx_, &wy_, &skeleton_divergence_, &change_, &pressure_, &flow_.outflow})
+  for (auto* field : {&head_, &conductivity_, &wx_, &wy_, &skeleton_divergence_, &change_, &pressure_, &flow_.outflow})
     field->resize(n);
   const FlowSettings& settings = flow.settings();
   TwoPassOperator two_pass(settings.spacing, settings.smoothing_ratio, settings.walls);
   flow.follow(skeleton);
   two_pass.update(skeleton);
   for (std::size_t p = 0; p < n; ++p) head_[p] = flow.pressure_head()[p] + skeleton.y[p];
-  two_pass.darcy_velocity(head_, flow.conductivity(), wx_, wy_);
+  for (std::size_t p = 0; p < n; ++p) conductivity_[p] = flow.conductivity(p);
+  two_pass.darcy_velocity(head_, conductivity_, wx_, wy_);
   two_pass.divergence(wx_, wy_, flow_.outflow);
   two_pass.divergence(vx, vy, skeleton_divergence_);
   for (std::size_t p = 0; p < n; ++p) flow_.outflow[p] *= skeleton.volume[p];

@@ -49,8 +49,7 @@ PoreFlow::PoreFlow(std::vector<Soil> soils, const Water& water, std::span<const 
   check(soils_, soil, pressure, skeleton);
   const std::size_t n = soil_.size();
   for (std::size_t p = 0; p < n; ++p) particles_of_soil_[soil_[p]].push_back(static_cast<std::uint32_t>(p));
-  for (auto* field :
-       {&suction_, &saturation_, &pore_stress_, &pressure_head_, &capacity_, &conductivity_, &potential_}) {
+  for (auto* field : {&suction_, &saturation_, &pore_stress_, &pressure_head_, &capacity_, &reach_}) {
     field->assign(n, 0.0);
   }
   operator_.set_soils(soil_, {soils_.begin(), soils_.end()});
@@ -69,6 +68,9 @@ void PoreFlow::set_state(State state, HeadOperator::State head_operator) {
   operator_.set_state(std::move(head_operator));
   state_ = std::move(state);
   evaluate_soil();
+  for (std::size_t p = 0; p < n; ++p) {
+    if (std::isfinite(operator_.pressure_head(p))) reach_[p] = reach_at(p, -operator_.pressure_head(p));
+  }
 }
 
 void PoreFlow::set_pressure(std::span<const double> pressure) {
@@ -77,40 +79,67 @@ void PoreFlow::set_pressure(std::span<const double> pressure) {
   evaluate_soil();
 }
 
-// S_r, dS_r/dP_w, k k_rw and S_r P_w at the present pressure (paper, Eqs. 8-10).
-void PoreFlow::evaluate_soil() {
-  const double inverse_weight = 1.0 / water_.unit_weight();
+// Calls visit(particle, index of its soil, retention law, permeability law) for each particle.
+template <class Visit>
+void PoreFlow::for_each_particle(const Visit& visit) const {
   for (std::size_t k = 0; k < soils_.size(); ++k) {
     const std::vector<std::uint32_t>& members = particles_of_soil_[k];
-    const double saturated = soils_[k].hydraulic_conductivity;
-    const double floor = soils_[k].relative_permeability.floor;
-    const ConductivityCurve& curve = operator_.curves()[k];
     std::visit(
         [&](const auto& retention, const auto& permeability) {
 #pragma omp parallel for schedule(static) num_threads(settings_.threads) if (settings_.threads > 1)
-          for (std::size_t i = 0; i < members.size(); ++i) {
-            const std::size_t p = members[i];
-            suction_[p] = -state_.pressure[p];
-            const double suction_head = suction_[p] * inverse_weight;
-            pressure_head_[p] = -suction_head;
-            const Saturation s = retention.evaluate(suction_head);
-            saturation_[p] = s.saturation;
-            capacity_[p] = -s.slope * inverse_weight;
-            conductivity_[p] = saturated * std::max(permeability.evaluate(suction_head, s.saturation), floor);
-            potential_[p] = curve.potential(-suction_head);
-            pore_stress_[p] = s.saturation * state_.pressure[p];
-          }
+          for (std::size_t i = 0; i < members.size(); ++i) visit(members[i], k, retention, permeability);
         },
         soils_[k].retention, soils_[k].relative_permeability.law);
   }
+}
+
+// S_r, dS_r/dP_w and S_r P_w at the present pressure (paper, Eqs. 8-10).
+void PoreFlow::evaluate_soil() {
+  const double inverse_weight = 1.0 / water_.unit_weight();
+  for_each_particle([&](std::size_t p, std::size_t, const auto& retention, const auto&) {
+    suction_[p] = -state_.pressure[p];
+    const double suction_head = suction_[p] * inverse_weight;
+    pressure_head_[p] = -suction_head;
+    const Saturation s = retention.evaluate(suction_head);
+    saturation_[p] = s.saturation;
+    capacity_[p] = -s.slope * inverse_weight;
+    pore_stress_[p] = s.saturation * state_.pressure[p];
+  });
+}
+
+void PoreFlow::find_conductances(double tolerance) {
+  for_each_particle([&](std::size_t p, std::size_t k, const auto&, const auto& permeability) {
+    const ConductivityCurve& curve = operator_.curves()[k];
+    const double head = pressure_head_[p], before = operator_.pressure_head(p);
+    const bool one_side = (head < -curve.wet_until()) == (before < -curve.wet_until());
+    if (one_side && std::abs(head - before) <= tolerance * reach_[p]) return;
+    const Soil& soil = soils_[k];
+    const double share = std::max(permeability.evaluate(-head, saturation_[p]), soil.relative_permeability.floor);
+    operator_.set_conductivity(p, {soil.hydraulic_conductivity * share, head, curve.potential(head)});
+    reach_[p] = tolerance > 0.0 ? reach_at(p, -head) : 0.0;
+  });
+  operator_.find_conductances();
+}
+
+// By how much the suction head may change until the conductivity is another, to first order, or the head is (m).
+double PoreFlow::reach_at(std::size_t p, double suction_head) const {
+  const RelativePermeability& permeability = soil(p).relative_permeability;
+  const Saturation s = evaluate(soil(p).retention, suction_head);
+  const double share = permeability.evaluate(suction_head, s.saturation);
+  return std::min(settings_.spacing, share / std::abs(permeability.slope(suction_head, s)));
 }
 
 double PoreFlow::water_of(std::size_t p, const Skeleton& skeleton) const {
   return skeleton.porosity[p] * saturation_[p] * skeleton.volume[p] * (1.0 + state_.pressure[p] / water_.bulk_modulus);
 }
 
+double PoreFlow::conductivity(std::size_t p) const {
+  const Soil& of = soil(p);
+  return of.hydraulic_conductivity * of.relative_permeability.evaluate(-pressure_head_[p], saturation_[p]);
+}
+
 PotentialAt PoreFlow::conductivity_at(std::size_t p) const {
-  return {conductivity_[p], state_.pressure[p] / water_.unit_weight(), potential_[p]};
+  return {conductivity(p), pressure_head_[p], operator_.curves()[soil_[p]].potential(pressure_head_[p])};
 }
 
 PotentialAt PoreFlow::conductivity_at(std::size_t p, double pressure) const {
@@ -179,8 +208,9 @@ void PoreFlow::darcy_velocity(const Skeleton& skeleton, std::span<double> wx, st
   for (std::size_t p = 0; p < head.size(); ++p) head[p] = state_.pressure[p] / water_.unit_weight() + skeleton.y[p];
   operator_.gradient(head, skeleton, wx, wy);
   for (std::size_t p = 0; p < head.size(); ++p) {
-    wx[p] *= -conductivity_[p];
-    wy[p] *= -conductivity_[p];
+    const double conducts = conductivity(p);
+    wx[p] *= -conducts;
+    wy[p] *= -conducts;
   }
 }
 

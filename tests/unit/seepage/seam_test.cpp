@@ -235,7 +235,8 @@ TEST_P(LayeredBlock, ConductsInSeriesExactly) {
     const std::array layers{exponential(1.0e-5, 5.0), exponential(1.0e-5 / contrast, 9.0)};
     const auto block = lattice(6, 2 * side + rows, spacing);
     std::vector<std::uint16_t> soil;
-    std::vector<double> head, pressure_head, conductivity, potential;
+    std::vector<double> head;
+    std::vector<PotentialAt> at;
     const std::array curves{ConductivityCurve(layers[0]), ConductivityCurve(layers[1])};
     const double bottom = spacing * side, top = spacing * (side + rows);
     const auto resistance = [&](double y) {
@@ -246,15 +247,15 @@ TEST_P(LayeredBlock, ConductsInSeriesExactly) {
     for (std::size_t p = 0; p < block.size(); ++p) {
       soil.push_back(block.y[p] > bottom && block.y[p] < top ? 1 : 0);
       head.push_back(10.0 + flux * resistance(block.y[p]));
-      pressure_head.push_back(head[p] - block.y[p]);
-      conductivity.push_back(layers[soil[p]].hydraulic_conductivity);
-      potential.push_back(curves[soil[p]].potential(pressure_head[p]));
+      const double pressure_head = head[p] - block.y[p];
+      at.push_back({layers[soil[p]].hydraulic_conductivity, pressure_head, curves[soil[p]].potential(pressure_head)});
     }
     HeadOperator op(spacing, 1.2, {.left = 0.0, .right = 6 * spacing, .base = 0.0, .top = (2 * side + rows) * spacing},
                     1);
     op.set_soils(soil, {curves[0], curves[1]});
     op.update(block.skeleton());
-    op.set_conductivity(conductivity, pressure_head, potential, 0.0);
+    for (std::size_t p = 0; p < block.size(); ++p) op.set_conductivity(p, at[p]);
+    op.find_conductances();
     for (int line = side - 2; line <= side + rows + 2; ++line) {
       double flow = 0.0;
       for (std::size_t p = 0; p < block.size(); ++p) {

@@ -30,6 +30,8 @@ class ConductivityCurve {
   [[nodiscard]] double suction_head_at(double share) const;
   /// The potential alone (m2/s).
   [[nodiscard]] double potential(double pressure_head) const;
+  /// Suction head up to which the soil conducts like saturated soil (m), >= 0.
+  [[nodiscard]] double wet_until() const { return wet_; }
   /// Conductivity of the saturated soil (m/s).
   [[nodiscard]] double saturated() const { return saturated_; }
 

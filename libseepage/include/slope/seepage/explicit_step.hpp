@@ -26,6 +26,7 @@ class ExplicitStep {
  private:
   BoundaryTerms boundary_;
   std::vector<double> head_;                 // at the start of the step (m)
+  std::vector<double> conductivity_;         // then (m/s)
   std::vector<double> wx_, wy_;              // Darcy's velocity (m/s)
   std::vector<double> skeleton_divergence_;  // (1/s)
   std::vector<double> change_, pressure_;    // of the pressure, and at the end of the step (Pa)

@@ -67,15 +67,20 @@ class HeadOperator {
 
   /// Conductances of the pairs for the conductivities K_p = k k_rw (m/s), with K_pq the logarithmic mean.
   void set_conductivity(std::span<const double> conductivity);
-  /// Conductances of the pairs for what the soils conduct at the particles' pressure heads psi = P_w / gamma_w (m).
-  /// A particle may count as it did at an earlier call, so that the pairs which nothing happens to keep their
-  /// conductances.
-  /// @param potential  matric flux potential there (m2/s), of set_soils()'s curves
-  /// @param tolerance  change of a particle's pressure head, over the spacing, and of its conductivity, over itself, up
-  /// to which it counts as before (-), >= 0; the conductances are then those of other heads, which are nowhere farther
-  /// from the present ones
-  void set_conductivity(std::span<const double> conductivity, std::span<const double> pressure_head,
-                        std::span<const double> potential, double tolerance);
+
+  /// The pressure head (m) of a particle that its pairs' conductances are for; infinite if there are none yet.
+  [[nodiscard]] double pressure_head(std::size_t p) const { return state_.pressure_head[p]; }
+  /// What a particle conducts from the next find_conductances() on; it counts as it did before until it is told.
+  /// Particles are independent, so that threads may tell of several. @param at  of set_soils()'s curves
+  void set_conductivity(std::size_t p, const PotentialAt& at) {
+    state_.conductivity[p] = at.conductivity;
+    state_.pressure_head[p] = at.pressure_head;
+    state_.potential[p] = at.potential;
+    stale_[p] = 1;
+  }
+  /// Works out the conductances of the pairs of which a particle has been told anew, with K_pq = kirchhoff_mean() or
+  /// seam_mean().
+  void find_conductances();
 
   /// outflow = L h (m2/s).
   void apply(std::span<const double> head, std::span<double> outflow) const;
@@ -108,13 +113,12 @@ class HeadOperator {
   void find_pair_factors();
   void find_ways_back();
   void find_seams();
-  [[nodiscard]] std::size_t first_after(std::size_t p) const;
   void set_conductance(std::size_t s, double conductance);
-  void find_kirchhoff_conductances();
   template <class Mean>
-  void find_conductances(const Mean& mean);
+  void find_stale(const Mean& mean);
   [[nodiscard]] double seam_distance(std::size_t p, std::size_t q) const;
   [[nodiscard]] PotentialAt potential_at(std::size_t p) const;
+  [[nodiscard]] double mean_in_soil(std::size_t p, std::size_t q) const;
   [[nodiscard]] SeamLeg leg(std::size_t p, double share, double drop) const;
   [[nodiscard]] SeamLeg first_leg(const Seam& seam) const;
   [[nodiscard]] SeamLeg second_leg(const Seam& seam) const;
@@ -127,11 +131,12 @@ class HeadOperator {
   Neighbours neighbours_;
   Images images_;
   State state_;
-  std::vector<std::uint32_t> back_;  // where the pair that stands in a place of neighbours_.index stands a second time
-  std::vector<double> factor_;       // g_pq; 0 across seams
-  std::vector<double> conductance_;  // g_pq K_pq
+  std::vector<std::uint32_t> after_;  // where the neighbours of a particle begin that follow it in the order of all
+  std::vector<std::uint32_t> back_;   // where the pair that stands in a place of neighbours_.index stands again
+  std::vector<double> factor_;        // g_pq; 0 across seams
+  std::vector<double> conductance_;   // g_pq K_pq
   std::vector<double> diagonal_;
-  std::vector<std::uint8_t> stale_;  // whether the conductances of a particle's pairs are to be found anew
+  std::vector<std::uint8_t> stale_;  // whether a particle has been told anew what it conducts
   std::vector<std::uint16_t> soil_;  // empty: one soil
   std::vector<ConductivityCurve> curves_;
   std::vector<Seam> seams_;

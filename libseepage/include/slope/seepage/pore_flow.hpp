@@ -97,7 +97,6 @@ class PoreFlow {
   [[nodiscard]] std::span<const double> suction() const { return suction_; }              ///< s = -P_w (Pa)
   [[nodiscard]] std::span<const double> saturation() const { return saturation_; }        ///< S_r (-)
   [[nodiscard]] std::span<const double> capacity() const { return capacity_; }            ///< dS_r/dP_w (1/Pa)
-  [[nodiscard]] std::span<const double> conductivity() const { return conductivity_; }    ///< k k_rw (m/s)
   [[nodiscard]] std::span<const double> pore_stress() const { return pore_stress_; }      ///< S_r P_w (Pa)
   [[nodiscard]] std::span<const double> pressure_head() const { return pressure_head_; }  ///< P_w / gamma_w (m)
   [[nodiscard]] const HeadOperator& head_operator() const { return operator_; }
@@ -107,6 +106,8 @@ class PoreFlow {
   [[nodiscard]] std::uint16_t soil_index(std::size_t p) const { return soil_[p]; }  ///< of a particle, in soils()
   [[nodiscard]] const Soil& soil(std::size_t p) const { return soils_[soil_[p]]; }  ///< of a particle
 
+  /// k k_rw of a particle at its pressure (m/s).
+  [[nodiscard]] double conductivity(std::size_t p) const;
   /// What a particle's soil conducts at its pressure, or at another one (Pa).
   [[nodiscard]] PotentialAt conductivity_at(std::size_t p) const;
   [[nodiscard]] PotentialAt conductivity_at(std::size_t p, double pressure) const;
@@ -135,11 +136,10 @@ class PoreFlow {
 
   /// Takes up the skeleton's present positions.
   void follow(const Skeleton& skeleton) { operator_.update(skeleton); }
-  /// Works the conductances of the head operator out at the present pressure, or where particles have changed by less
-  /// than a tolerance at an earlier one: HeadOperator::set_conductivity().
-  void find_conductances(double tolerance) {
-    operator_.set_conductivity(conductivity_, pressure_head_, potential_, tolerance);
-  }
+  /// Works the conductances of the head operator out at the present pressure. A particle counts as it was when it was
+  /// last looked at until its pressure head has changed by a tolerance times the spacing, or its conductivity by about
+  /// a tolerance of itself. @param tolerance  (-), >= 0; 0: it counts as it is
+  void find_conductances(double tolerance);
   /// Goes to other pressures (Pa) and evaluates the soil at them; nothing is booked.
   void set_pressure(std::span<const double> pressure);
   /// Books the water of a step that ends at the present pressure: what is in the pores now, what came by the
@@ -151,6 +151,9 @@ class PoreFlow {
 
  private:
   void evaluate_soil();
+  template <class Visit>
+  void for_each_particle(const Visit& visit) const;
+  [[nodiscard]] double reach_at(std::size_t p, double suction_head) const;
   void follow_front(std::size_t p, double gain, double time_step, const StepFlow& flow);
   void check_numbers() const;
 
@@ -163,9 +166,9 @@ class PoreFlow {
 
   State state_;
   std::vector<double> suction_, saturation_, pore_stress_, pressure_head_;
-  std::vector<double> capacity_;      // dS_r/dP_w (1/Pa)
-  std::vector<double> conductivity_;  // k k_rw (m/s)
-  std::vector<double> potential_;     // its integral over the pressure head (m2/s)
+  std::vector<double> capacity_;  // dS_r/dP_w (1/Pa)
+  // Change of a particle's pressure head up to which it counts as it was for its conductances, at a tolerance of 1 (m).
+  std::vector<double> reach_;
 };
 
 }  // namespace slope::seepage
