@@ -177,11 +177,18 @@ CoupledStep::Tangent CoupledStep::tangent_at(const PoreFlow& flow, std::size_t p
 bool CoupledStep::follow_retention(const PoreFlow& flow, const Skeleton& skeleton, double tolerable) {
   constexpr double straight = 0.01;  // relative change of the suction within which a curve counts as its tangent
   const std::span<const double> pressure = flow.pressure();
+  kinks_.clear();
+  for (const Soil& soil : flow.soils()) {
+    const double kink = std::visit([](const auto& law) { return law.kink(); }, soil.retention);
+    kinks_.push_back(-kink * flow.water().unit_weight());
+  }
   double squares = 0.0;
   tangents_.clear();
   for (std::size_t p = 0; p < pressure.size(); ++p) {
     const double before = pressure[p], now = before + change_[p];
-    const bool on_tangent = (before > 0.0 && now > 0.0) || std::abs(change_[p]) < -straight * before;
+    const double kink = kinks_[flow.soil_index(p)];
+    const bool bent = (before - kink) * (now - kink) <= 0.0;
+    const bool on_tangent = (before > 0.0 && now > 0.0) || (std::abs(change_[p]) < -straight * before && !bent);
     if (on_tangent && storage_offset_[p] == 0.0) continue;
     tangents_.push_back(tangent_at(flow, p, now, skeleton));
     const Tangent& tangent = tangents_.back();

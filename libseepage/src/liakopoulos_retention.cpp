@@ -20,7 +20,11 @@ Saturation LiakopoulosRetention::evaluate(double suction_head) const {
 }
 
 double LiakopoulosRetention::steepest() const {
-  return std::pow((1.0 - floor) / coefficient, 1.0 / exponent) * (1.0 - 1.0e-6);
+  return kink() * (1.0 - 1.0e-6);
+}
+
+double LiakopoulosRetention::kink() const {
+  return std::pow((1.0 - floor) / coefficient, 1.0 / exponent);
 }
 
 }  // namespace slope::seepage

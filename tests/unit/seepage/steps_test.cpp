@@ -181,5 +181,45 @@ TEST_F(Steps, HaveTermsWhoseSlopesAreTheirs) {
   EXPECT_NEAR(-out, in, 1.0e-12 * std::abs(in));
 }
 
+// Soil that gets over the place where its retention curve bends, a hair at a time.
+class StepsOverAKink : public ::testing::TestWithParam<Retention> {};
+
+TEST_P(StepsOverAKink, LeaveALittleOfWhatFlows) {
+  const Retention retention = GetParam();
+  const double kink = std::visit([](const auto& law) { return law.kink(); }, retention);
+  const Particles block = lattice(6, 6, 0.25);
+  Soil soil;
+  soil.retention = retention;
+  soil.relative_permeability.law = HillelPower{.exponent = 3.0};
+  soil.hydraulic_conductivity = 1.0e-9;
+  FlowSettings settings;
+  settings.spacing = 0.25;
+  for (const double rate : {1.0e-7, -1.0e-7}) {
+    for (const double beside : {0.9999, 0.999, 1.0, 1.001, 1.0001}) {
+      Boundary boundary;
+      boundary.count = 1;
+      for (std::uint32_t p = 0; p < block.size(); ++p) boundary.inflows.push_back({p, 0, rate});
+      const double start = -kink * beside * Water{}.unit_weight();
+      PoreFlow water({soil}, Water{}, std::vector<std::uint16_t>(block.size(), 0),
+                     std::vector<double>(block.size(), start), block.skeleton(), settings);
+      CoupledStep step;
+      const std::vector<double> strain(block.size(), 0.0);
+      for (int k = 0; k < 20; ++k) {
+        constexpr double duration = 2.0;
+        EXPECT_TRUE(step.solve(water, duration, block.skeleton(), strain, boundary, RigidSkeleton{}, 1.0e-3).converged);
+        step.finish(water, block.skeleton());
+        EXPECT_LE(std::abs(water.unexplained_water()), 1.0e-2 * duration * std::abs(rate) * double(block.size()))
+            << "step " << k << " from " << start << " Pa at " << rate << " m2/s";
+      }
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Laws, StepsOverAKink,
+                         ::testing::Values(Retention(LiakopoulosRetention{0.09247, 2.024, 0.2032}),
+                                           Retention(LiakopoulosRetention{0.144, 2.74, 0.16}),
+                                           Retention(VanGenuchten{
+                                               .alpha = 0.5, .n = 2.0, .range = {}, .air_entry = 0.4})));
+
 }  // namespace
 }  // namespace slope::seepage

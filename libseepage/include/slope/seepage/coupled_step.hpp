@@ -72,6 +72,7 @@ class CoupledStep {
   // What a particle stores in the step is taken as offset + slope dP, the tangent at the pressure touched.
   std::vector<double> storage_offset_, storage_slope_, touched_;
   std::vector<Tangent> tangents_;
+  std::vector<double> kinks_;                     // of the soils' retention curves (Pa)
   std::vector<double> stress_, volume_change_;    // what the response is asked, and answers
   std::vector<double> held_change_, held_water_;  // of the particles whose pressure is held, and what it asks of all
   std::vector<double> pressure_;                  // at the end of the step (Pa)

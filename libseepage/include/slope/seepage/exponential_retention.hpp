@@ -19,6 +19,8 @@ struct ExponentialRetention {
   [[nodiscard]] Saturation evaluate(double suction_head) const;
   /// Suction head at which the curve is steepest (m), > 0.
   [[nodiscard]] double steepest() const;
+  /// Suction head at which the slope jumps (m), >= 0.
+  [[nodiscard]] double kink() const { return 0.0; }
 };
 
 }  // namespace slope::seepage

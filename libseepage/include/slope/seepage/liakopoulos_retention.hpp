@@ -21,6 +21,8 @@ struct LiakopoulosRetention {
   [[nodiscard]] Saturation evaluate(double suction_head) const;
   /// Suction head at which the curve is steepest (m), > 0.
   [[nodiscard]] double steepest() const;
+  /// Suction head at which the slope jumps (m), >= 0.
+  [[nodiscard]] double kink() const;
 };
 
 }  // namespace slope::seepage

@@ -9,7 +9,7 @@
 namespace slope::seepage {
 
 /// The water retention curve of a soil: one of the laws, each with evaluate(suction head) -> Saturation,
-/// steepest() -> suction head of the largest slope, and check() of its parameters.
+/// steepest() -> suction head of the largest slope, kink() -> where the slope jumps, and check() of its parameters.
 using Retention = std::variant<VanGenuchten, LiakopoulosRetention, ExponentialRetention>;
 
 /// @param suction_head h_s (m), any sign.
