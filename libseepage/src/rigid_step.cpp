@@ -15,9 +15,11 @@ constexpr int lagged_iterations = 3;
 constexpr double least_share = 1.0 / 64.0;  // of a step of Newton's method that makes the imbalance larger
 // With lagged permeability small steps may be far from the end: they must fall so fast, or be nothing.
 constexpr double lagged_reduction = 0.25;
-constexpr double nothing = 1.0e-3;      // over the tolerance
-constexpr double begun_to_fall = 0.97;  // share of the saturated conductivity
-constexpr double least_onset = 1.0e-5;  // suction head of that (m)
+constexpr double nothing = 1.0e-3;          // over the tolerance
+constexpr int most_small_steps = 4;         // in a row, with which pressures count as found whatever is missing
+constexpr double tolerable_share = 1.0e-8;  // of the stored water, that may be missing (root of the sum of squares)
+constexpr double begun_to_fall = 0.97;      // share of the saturated conductivity
+constexpr double least_onset = 1.0e-5;      // suction head of that (m)
 
 // Where a step of the pressure goes that starts from one: drying soil stops where its conductivity begins to fall. For
 // n < 2 that fall begins with an infinite slope, of which saturated soil knows nothing: from there Newton's method is
@@ -188,6 +190,8 @@ SolveReport RigidStep::advance(PoreFlow& flow, double time_step, const Skeleton&
   Imbalance imbalance = find_imbalance(flow, skeleton, boundary);
   std::vector<double> best = here;
   double least_imbalance = imbalance.norm, last_step = 0.0;  // (m2, Pa)
+  int small_steps = 0;
+  const double balanced = std::max(imbalance.rounding, tolerable_share * flow.stored_water());
   while (!report.converged && report.iterations < maximum_iterations) {
     const bool lagged = report.iterations < lagged_iterations;
     if (report.iterations == lagged_iterations && imbalance.norm > least_imbalance) {
@@ -198,7 +202,7 @@ SolveReport RigidStep::advance(PoreFlow& flow, double time_step, const Skeleton&
     double largest = 0.0;
     for (std::size_t p = 0; p < n; ++p) largest = std::max(largest, std::abs(step_[p]));
     const bool settles = !lagged || largest <= lagged_reduction * last_step || largest <= nothing * tolerance_pressure;
-    report.converged = largest <= tolerance_pressure && settles;
+    small_steps = largest <= tolerance_pressure && settles ? small_steps + 1 : 0;
     last_step = largest;
     here.assign(flow.pressure().begin(), flow.pressure().end());
     const double before = imbalance.norm;
@@ -207,11 +211,13 @@ SolveReport RigidStep::advance(PoreFlow& flow, double time_step, const Skeleton&
       least_imbalance = imbalance.norm;
       best.assign(flow.pressure().begin(), flow.pressure().end());
     }
-    for (double share = 0.5; !lagged && !report.converged && imbalance.norm >= before &&
+    for (double share = 0.5; !lagged && small_steps == 0 && imbalance.norm >= before &&
                              imbalance.norm > imbalance.rounding && share >= least_share;
          share *= 0.5) {
       imbalance = go_to(flow, here, share, skeleton, boundary);
     }
+    // where a curve bends, small pressures may hold much water
+    report.converged = small_steps >= most_small_steps || (small_steps > 0 && imbalance.norm <= balanced);
   }
   if (!report.converged) {
     flow.set_pressure(start);

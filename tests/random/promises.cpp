@@ -265,9 +265,8 @@ void Promises::look_at_water(const ParticleTable& now, const couple::WaterBudget
   expect(std::abs(missing) <= bound || (!promised && std::isfinite(missing)),
          "what went in and out is what is stored (m3/m)", missing, bound);
   // the books count the water's mass, which a pressure makes denser
-  double pressure = 0.0;
-  for (const double one : now.pore_pressure) pressure = std::max(pressure, std::abs(one));
-  const double denser = 2.0 * pressure / input_.water.bulk_modulus * first_storage_;
+  for (const double one : now.pore_pressure) largest_pressure_ = std::max(largest_pressure_, std::abs(one));
+  const double denser = 2.0 * largest_pressure_ / input_.water.bulk_modulus * std::max(first_storage_, storage);
   const double off = storage - first_storage_ - water.storage;
   expect(std::abs(off) <= bound + denser || (!promised && std::isfinite(off)),
          "the pores hold what the books say (m3/m)", off, bound + denser);
@@ -327,8 +326,10 @@ void Promises::look_at_end(const couple::Summary& summary) {
   const bool elastic = std::ranges::all_of(input_.soils, [](const couple::Soil& soil) {
     return std::holds_alternative<solid::NoYield>(soil.solid.strength);
   });
-  // behind an absorbing wall the soil goes on, and may settle by more than what is drawn
-  if (elastic && !input_.walls.absorbing_depth && input_.initial_stress != couple::InitialStress::none) {
+  // behind an absorbing wall the soil goes on, and may settle by more than what is drawn; one particle in a cell leaves
+  // motions of the grid's nodes that no stress resists
+  if (elastic && input_.domain.particles_per_cell > 1 && !input_.walls.absorbing_depth &&
+      input_.initial_stress != couple::InitialStress::none) {
     expect(verdict != Verdict::fails && verdict != Verdict::does_not_stand, "what is elastic does not fail",
            summary.largest_displacement, input_.onset_displacement);
   }
