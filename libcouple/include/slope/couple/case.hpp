@@ -176,7 +176,7 @@ enum class ShapeFunction { quadratic_bspline, linear };
 struct Numerics {
   ShapeFunction shape_function = ShapeFunction::quadratic_bspline;
   std::optional<double> flip_fraction;  ///< none: APIC; else the FLIP share in [0, 1] of a FLIP/PIC blend
-  double courant_number = 0.5;          ///< dt over cell size / P-wave speed, in (0, 1)
+  double courant_number = 0.8;          ///< dt over cell size / P-wave speed, in (0, 1)
   double pressure_tolerance = 5.0e-2;   ///< residual reduction of the pressure step, in (0, 1)
   double smoothing_length = 1.2;        ///< SPH smoothing length over particle spacing, in [1, 2]
 };
