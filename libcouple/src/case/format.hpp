@@ -2,6 +2,7 @@
 
 #include <array>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -130,16 +131,18 @@ class Record {
   [[nodiscard]] const Check& checked_by() const { return check_; }
 
   [[nodiscard]] Format<T> format() const {
-    const auto read = [*this](const Input& input, T& value) {
+    // shared, since records are put into records and functions copied with all that they hold
+    const auto self = std::make_shared<const Record>(*this);
+    const auto read = [self](const Input& input, T& value) {
       if (!expect_map(input, 0)) return;
       const std::size_t before = input.problem_count();
-      read_fields(input, fields_, value);
-      report_keys(input, heads_of(fields_));
-      if (check_ && input.problem_count() == before) check_(input, value);
+      read_fields(input, self->fields_, value);
+      report_keys(input, heads_of(self->fields_));
+      if (self->check_ && input.problem_count() == before) self->check_(input, value);
     };
-    const auto write = [*this](const T& value) {
+    const auto write = [self](const T& value) {
       Document map = Document::map();
-      write_fields(fields_, value, map);
+      write_fields(self->fields_, value, map);
       return map.children.empty() ? Document{} : map;
     };
     return {read, write, object_schema(heads_of(fields_))};
@@ -200,8 +203,9 @@ class Alternatives {
   }
 
   [[nodiscard]] Format<T> format() const {
-    return {[*this](const Input& input, T& value) { read(input, value); },
-            [*this](const T& value) { return write(value); }, schema()};
+    const auto self = std::make_shared<const Alternatives>(*this);
+    return {[self](const Input& input, T& value) { self->read(input, value); },
+            [self](const T& value) { return self->write(value); }, schema()};
   }
 
  private:
@@ -312,14 +316,14 @@ Format<std::vector<V>> list_of(Format<V> item, std::size_t least_items = 0) {
   Document schema = Document::map();
   schema.set("type", Document::text("array")).set("items", item.schema);
   if (least_items > 0) schema.set("minItems", Document::number(static_cast<double>(least_items)));
-  const auto read = [item, least_items](const Input& input, std::vector<V>& values) {
+  const auto read = [read_item = item.read, least_items](const Input& input, std::vector<V>& values) {
     if (!expect_list(input, least_items)) return;
     values.assign(input.node().children.size(), V{});
-    for (std::size_t i = 0; i < values.size(); ++i) item.read(input.item(i), values[i]);
+    for (std::size_t i = 0; i < values.size(); ++i) read_item(input.item(i), values[i]);
   };
-  const auto write = [item](const std::vector<V>& values) {
+  const auto write = [write_item = item.write](const std::vector<V>& values) {
     Document list = Document::list();
-    for (const V& value : values) list.children.push_back(item.write(value));
+    for (const V& value : values) list.children.push_back(write_item(value));
     return values.empty() ? Document{} : list;
   };
   return {read, write, std::move(schema)};
@@ -335,7 +339,7 @@ Format<std::vector<V>> named(Format<V> item, std::size_t least_entries = 0) {
       .set("propertyNames", std::move(names))
       .set("additionalProperties", item.schema);
   if (least_entries > 0) schema.set("minProperties", Document::number(static_cast<double>(least_entries)));
-  const auto read = [item, least_entries](const Input& input, std::vector<V>& values) {
+  const auto read = [read_item = item.read, least_entries](const Input& input, std::vector<V>& values) {
     if (!expect_map(input, least_entries)) return;
     values.clear();
     for (const Document& entry : input.node().children) {
@@ -343,12 +347,12 @@ Format<std::vector<V>> named(Format<V> item, std::size_t least_entries = 0) {
       if (!is_name(entry.key)) place.problem("a name begins with a letter and has only letters, digits, _ and -");
       values.emplace_back();
       values.back().name = entry.key;
-      item.read(place, values.back());
+      read_item(place, values.back());
     }
   };
-  const auto write = [item](const std::vector<V>& values) {
+  const auto write = [write_item = item.write](const std::vector<V>& values) {
     Document map = Document::map();
-    for (const V& value : values) map.set(value.name, item.write(value));
+    for (const V& value : values) map.set(value.name, write_item(value));
     return values.empty() ? Document{} : map;
   };
   return {read, write, std::move(schema)};
@@ -357,28 +361,30 @@ Format<std::vector<V>> named(Format<V> item, std::size_t least_entries = 0) {
 /// A value that may be absent.
 template <class V>
 Format<std::optional<V>> maybe(Format<V> format) {
-  return {[format](const Input& input, std::optional<V>& value) { format.read(input, value.emplace()); },
-          [format](const std::optional<V>& value) { return value ? format.write(*value) : Document{}; }, format.schema};
+  return {[read = format.read](const Input& input, std::optional<V>& value) { read(input, value.emplace()); },
+          [write = format.write](const std::optional<V>& value) { return value ? write(*value) : Document{}; },
+          format.schema};
 }
 
 /// A T of which only one part is in the file.
 template <class T, class V, class Access>
 Format<T> part(Access access, Format<V> format) {
-  return {[access, format](const Input& input, T& value) { format.read(input, std::invoke(access, value)); },
-          [access, format](const T& value) { return format.write(std::invoke(access, value)); }, format.schema};
+  return {[access, read = format.read](const Input& input, T& value) { read(input, std::invoke(access, value)); },
+          [access, write = format.write](const T& value) { return write(std::invoke(access, value)); }, format.schema};
 }
 
 /// A V that stands in the file as a Text: `from_text` turns one into the other and may report problems.
 template <class Text, class V>
 Format<V> converted(Format<Text> format, std::function<void(const Input&, const Text&, V&)> from_text,
                     std::function<Text(const V&)> to_text) {
-  const auto read = [format, from_text](const Input& input, V& value) {
+  const auto read = [read_text = format.read, from_text](const Input& input, V& value) {
     Text as_written;
     const std::size_t before = input.problem_count();
-    format.read(input, as_written);
+    read_text(input, as_written);
     if (input.problem_count() == before) from_text(input, as_written, value);
   };
-  return {read, [format, to_text](const V& value) { return format.write(to_text(value)); }, format.schema};
+  return {read, [write_text = format.write, to_text](const V& value) { return write_text(to_text(value)); },
+          format.schema};
 }
 
 }  // namespace slope::couple
