@@ -31,24 +31,21 @@ double YieldCone::value(const SymmetricTensor& stress) const {
 }
 
 SuctionDependentCone::SuctionDependentCone(const DruckerPrager& strength) : strength_(strength) {
-  const Match friction = plane_strain_match(strength.friction_angle);
+  const ShearStrength now = shear_strength(strength, 0.0, 0.0);
+  const Match friction = plane_strain_match(now.friction_angle);
   xi_ = friction.xi;
-  saturated_ = {friction.eta, plane_strain_match(strength.dilatancy_angle).eta, friction.xi * strength.cohesion};
+  saturated_ = {friction.eta, plane_strain_match(now.dilatancy_angle).eta, friction.xi * now.cohesion};
 }
 
 YieldCone SuctionDependentCone::at(double suction, double plastic_strain) const {
-  if (has_softened(strength_, plastic_strain)) {
-    const ShearStrength now = shear_strength(strength_, suction, plastic_strain);
-    const Match friction = plane_strain_match(now.friction_angle);
-    return {friction.eta, plane_strain_match(now.dilatancy_angle).eta, friction.xi * now.cohesion};
+  const bool softened = has_softened(strength_, plastic_strain);
+  if (suction <= 0.0 && !softened) return saturated_;
+  const ShearStrength now = shear_strength(strength_, suction, plastic_strain);
+  if (strength_.friction_angle_suction_rate == 0.0 && !softened) {
+    return {saturated_.eta, saturated_.eta_potential, xi_ * now.cohesion};
   }
-  if (suction <= 0.0) return saturated_;
-  const double s = suction / atmospheric_pressure;
-  const double cohesion =
-      strength_.cohesion - strength_.maximum_cohesion_increase * std::expm1(-strength_.cohesion_suction_rate * s);
-  if (strength_.friction_angle_suction_rate == 0.0) return {saturated_.eta, saturated_.eta_potential, xi_ * cohesion};
-  const Match friction = plane_strain_match(strength_.friction_angle + strength_.friction_angle_suction_rate * s);
-  return {friction.eta, saturated_.eta_potential, friction.xi * cohesion};
+  const Match friction = plane_strain_match(now.friction_angle);
+  return {friction.eta, plane_strain_match(now.dilatancy_angle).eta, friction.xi * now.cohesion};
 }
 
 Return return_to_yield_surface(const YieldCone& cone, const Elastic& elastic, SymmetricTensor& stress) {

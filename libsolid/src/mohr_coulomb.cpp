@@ -74,10 +74,10 @@ double YieldPyramid::value(const SymmetricTensor& stress) const {
   return yield_function(*this, s.major, s.minor);
 }
 
-SuctionDependentPyramid::SuctionDependentPyramid(const MohrCoulomb& strength)
-    : strength_(strength), cos_friction_(std::cos(strength.friction_angle)) {
-  saturated_ = {std::sin(strength.friction_angle), std::sin(strength.dilatancy_angle),
-                strength.cohesion * cos_friction_};
+SuctionDependentPyramid::SuctionDependentPyramid(const MohrCoulomb& strength) : strength_(strength) {
+  const ShearStrength now = shear_strength(strength, 0.0, 0.0);
+  cos_friction_ = std::cos(now.friction_angle);
+  saturated_ = {std::sin(now.friction_angle), std::sin(now.dilatancy_angle), now.cohesion * cos_friction_};
 }
 
 YieldPyramid SuctionDependentPyramid::at(double suction, double plastic_strain) const {

@@ -10,9 +10,10 @@ double YieldCylinder::value(const SymmetricTensor& stress) const {
 
 YieldCylinder SofteningCylinder::at(double /*suction*/, double plastic_strain) const {
   const double peak = strength_.undrained_strength;
-  if (!strength_.softening) return {peak};
+  if (!strength_.softening) return {peak / strength_.reduction};
   const UndrainedSoftening& softening = *strength_.softening;
-  return {peak + softening.range.share(plastic_strain) * (softening.residual_undrained_strength - peak)};
+  const double now = peak + softening.range.share(plastic_strain) * (softening.residual_undrained_strength - peak);
+  return {now / strength_.reduction};
 }
 
 Return return_to_yield_surface(const YieldCylinder& cylinder, const Elastic& /*elastic*/, SymmetricTensor& stress) {

@@ -94,7 +94,7 @@ ExitCode execute(const CLI::App& app, const slope::tools::RunOptions& options, c
     } else if (app.got_subcommand("profile")) {
       slope::tools::write_profile(files.profile, slope::tools::read_poly_line(files.poly_line));
     } else {
-      const ExitCode code = slope::tools::run(options);
+      const ExitCode code = options.tells_safety ? slope::tools::tell_safety(options) : slope::tools::run(options);
       if (code != ExitCode::fine) return code;
     }
     slope::tools::flush_output();
@@ -137,6 +137,14 @@ int main(int argc, char** argv) {
   CLI::App* resume = app.add_subcommand("resume", "Goes on with the run in an output folder from its checkpoint");
   resume->add_option("FOLDER", folder, "Output folder of slope-sim run")->required();
   for (CLI::App* command : {run, resume}) add_running(*command, options);
+  CLI::App* safety = app.add_subcommand("safety", "Finds the factor of safety of a case by strength reduction");
+  add_case(*safety, case_file, options.overrides);
+  std::string times, tolerance;
+  safety->add_option("--at", times, "Times, such as \"0 h, 18 h\"; without them those of the case, or the start");
+  safety->add_option("--tolerance", tolerance, "Width of the bracket over the factor; without it that of the case");
+  safety->add_option("-o,--output", folder, "Output folder, as of run; without it nothing is kept");
+  safety->add_flag("--overwrite", overwrites, "Replaces an earlier run in the folder");
+  add_running(*safety, options);
   CLI::App* check = app.add_subcommand("check", "Says what is wrong with a case, or that it is fine");
   add_case(*check, case_file, options.overrides);
   app.add_subcommand("schema", "Prints the JSON Schema of case files")
@@ -157,5 +165,10 @@ int main(int argc, char** argv) {
   options.folder = folder;
   if (overwrites) options.earlier = slope::tools::EarlierRun::overwrite;
   if (resumes || resume->parsed()) options.earlier = slope::tools::EarlierRun::resume;
+  if (safety->parsed()) {
+    if (!times.empty()) options.overrides.push_back("safety.times=[" + times + "]");
+    if (!tolerance.empty()) options.overrides.push_back("safety.tolerance=" + tolerance);
+    options.tells_safety = true;
+  }
   return static_cast<int>(execute(app, options, files));
 }

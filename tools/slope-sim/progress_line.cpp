@@ -67,10 +67,10 @@ std::string progress_text(const couple::Progress& progress, double end_time, dou
 
 std::string progress_text(const couple::InitialProgress& progress) {
   if (progress.step_time > 0.0) {
-    return fmt::format("initial state: {}, pressures change by {:.2g} Pa in a step of {:.2g} s (until {:g} Pa)",
+    return fmt::format("{}: {}, pressures change by {:.2g} Pa in a step of {:.2g} s (until {:g} Pa)", progress.search,
                        progress.stage, progress.measure, progress.step_time, progress.wanted);
   }
-  return fmt::format("initial state: {}, {:.2g} of the weight unbalanced (until {:g})", progress.stage,
+  return fmt::format("{}: {}, {:.2g} of the weight unbalanced (until {:g})", progress.search, progress.stage,
                      progress.measure, progress.wanted);
 }
 

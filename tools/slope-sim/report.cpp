@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <vector>
+
 #include "slope/couple/water_amounts.hpp"
 #include "time_unit.hpp"
 
@@ -138,7 +141,31 @@ void add_water(const couple::WaterBudget& water, const auto& line) {
   }
 }
 
+std::string least_safety_text(const std::vector<couple::FactorOfSafety>& safety) {
+  const auto least = std::ranges::min_element(safety, {}, &couple::FactorOfSafety::factor);
+  return fmt::format("{:.3f} at {}", least->factor, time_text(least->time));
+}
+
 }  // namespace
+
+std::string safety_text(const couple::FactorOfSafety& safety) {
+  const std::string at = time_text(safety.time);
+  if (!safety.upper) return fmt::format("above {:.3g} at {}: it stood with all that was tried", safety.lower, at);
+  if (safety.lower == 0.0)
+    return fmt::format("below {:.3g} at {}: it flowed with all that was tried", *safety.upper, at);
+  return fmt::format("{:.3f} at {} ({:.4f} to {:.4f}, {} trials); what flows is {:.3g} m2, {:.2g} m deep",
+                     safety.factor, at, safety.lower, *safety.upper, safety.trials, safety.area, safety.depth);
+}
+
+std::string safety_report_text(const couple::Case& input, const couple::RunSummary& run) {
+  std::string text = fmt::format("{}\n", input.title);
+  for (const couple::FactorOfSafety& safety : run.found.safety) {
+    text += fmt::format("  factor of safety {}\n", safety_text(safety));
+  }
+  if (run.found.safety.empty()) return text + "  no factor of safety: the run ended before the first time asked for\n";
+  if (run.found.safety.size() > 1) text += fmt::format("  least            {}\n", least_safety_text(run.found.safety));
+  return text;
+}
 
 std::string report_text(const couple::Case& input, const couple::RunSummary& run) {
   const couple::Summary& summary = run.found;
@@ -149,6 +176,10 @@ std::string report_text(const couple::Case& input, const couple::RunSummary& run
   line("verdict", verdict_text(input, summary));
   line("end", fmt::format("{} ({})", seconds_text(summary.time), end_text(input, summary)));
   if (summary.verdict != couple::Verdict::water_alone) add_motion(input, summary, line);
+  if (!summary.safety.empty()) {
+    line("safety",
+         fmt::format("factor {}; least {}", safety_text(summary.safety.back()), least_safety_text(summary.safety)));
+  }
   line("suction left", fmt::format("{:.1f} kPa at most", summary.zone_at_end.largest_suction / 1000.0));
   add_water(summary.water, line);
   if (summary.largest_unbalanced_ratio > 0.0) {

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <stdlib.h>
+
 #include <algorithm>
 #include <cstdio>
 #include <ctime>
@@ -22,6 +24,26 @@
 namespace slope::tools {
 
 namespace {
+
+/// A folder that is gone at the end.
+class TemporaryFolder {
+ public:
+  TemporaryFolder() {
+    std::string name = (std::filesystem::temp_directory_path() / "slope-safety-XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr) throw couple::FileError(name + ": cannot be made");
+    path_ = name;
+  }
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
 
 constexpr double cost_factor = 100.0;  // times the wall time of a checkpoint that passes before the next at least
 
@@ -71,14 +93,14 @@ class Run {
   ExitCode carry_out() {
     log_beginning();
     const bool goes_on = writer_.checkpoint() && started(*writer_.checkpoint());
-    if (goes_on && simulation_.summary().end_reason != couple::EndReason::running) {
+    if (goes_on && is_over() && !simulation_.asks_for_safety()) {
       progress_.say(fmt::format("{}: the run has come to its end already", writer_.folder().string()));
       return ExitCode::fine;
     }
     if (!writer_.checkpoint()) writer_.write_case(input_);
     try {
       if (goes_on ? resume() : start()) {
-        while (!advance()) {
+        while (!is_over() && !advance()) {
         }
       }
     } catch (const couple::SimulationError& error) {
@@ -124,8 +146,10 @@ class Run {
     writer_.log(text);
     progress_.say(text);
     write_summary();
-    return true;
+    return !simulation_.asks_for_safety() || add_snapshot(is_over() ? "end" : simulation_.progress().steps == 0 ? "start" : "");
   }
+
+  [[nodiscard]] bool is_over() const { return simulation_.summary().end_reason != couple::EndReason::running; }
 
   /// @return whether the initial state was found, and not interrupted.
   bool start() {
@@ -148,8 +172,8 @@ class Run {
     writer_.begin_history(simulation_.history_columns());
     writer_.begin_budget(couple::Simulation::budget_columns());
     add_rows();
-    writer_.add_snapshot(simulation_.particles(), "start");
     has_started_ = true;
+    if (!add_snapshot("start")) return false;
     write_checkpoint();
     write_summary();
     return true;
@@ -177,12 +201,41 @@ class Run {
     if (event.history) add_rows();
     if (event.label == "onset") note_onset();
     if (event.snapshot) {
-      writer_.add_snapshot(simulation_.particles(), event.label);
+      if (!add_snapshot(event.label)) return true;
       writer_.log(progress_.text(progress));
     }
     progress_.show(progress);
     if (!event.finished) keep_safe();
     return event.finished;
+  }
+
+  /// Writes the particles as they are, and if the factor of safety is asked for, finds it and writes how they would
+  /// flow. @return whether it did; if not, it was interrupted, and a run that goes on does it then.
+  bool add_snapshot(const std::string& label) {
+    couple::ParticleTable table = simulation_.particles();
+    if (simulation_.asks_for_safety()) {
+      const auto mechanism = simulation_.find_safety([this](const couple::InitialProgress& progress) {
+        progress_.show(progress);
+        return !interrupted();
+      });
+      if (!mechanism) {
+        broken_off_ = couple::EndReason::interrupted;
+        return false;
+      }
+      note_safety();
+      table.internal.push_back({"mechanism_speed", "-", mechanism->speed});
+      table.internal.push_back({"mechanism_shear_strain", "-", mechanism->shear_strain});
+    }
+    writer_.add_snapshot(table, label);
+    return true;
+  }
+
+  void note_safety() {
+    const couple::FactorOfSafety found = simulation_.summary().safety.back();
+    writer_.add_safety(found);
+    const std::string text = "factor of safety " + safety_text(found);
+    writer_.log(text);
+    progress_.say(text);
   }
 
   /// Writes a checkpoint if it is time to, or somebody asked for it.
@@ -235,8 +288,8 @@ class Run {
     writer_.log(report);
     if (options_.quiet) return;
     progress_.clear();
-    say(report);
-    say(fmt::format("  {:<15}  {}\n", "written to", writer_.folder().string()));
+    say(options_.tells_safety ? safety_report_text(input_, run) : report);
+    if (!options_.keeps_nothing) say(fmt::format("  {:<15}  {}\n", "written to", writer_.folder().string()));
   }
 
   /// What the run has come to by now.
@@ -270,6 +323,21 @@ ExitCode run(const RunOptions& options) {
   catch_interruptions();
   catch_checkpoint_requests();
   return Run(options).execute();
+}
+
+ExitCode tell_safety(RunOptions options) {
+  const couple::SafetyQuestions asked = couple::read_case(options.case_file, options.overrides).safety;
+  if (asked.times.empty() && asked.interval == couple::never) options.overrides.push_back("safety.times=[0 s]");
+  if (asked.interval == couple::never) {
+    constexpr double no_time = 1.0e-6;  // s
+    const double last = asked.times.empty() ? 0.0 : std::ranges::max(asked.times);
+    options.overrides.push_back(fmt::format("stop.time={} s", std::max(last, no_time)));
+  }
+  if (!options.folder.empty()) return run(options);
+  const TemporaryFolder folder;
+  options.folder = folder.path();
+  options.keeps_nothing = true;
+  return run(options);
 }
 
 }  // namespace slope::tools

@@ -17,15 +17,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array run_files{"case.yaml",        "log.txt",       "history.csv",
-                               "budget.csv",       "summary.json",  "checkpoint.bin",
-                               "summary.json.tmp", "case.yaml.tmp", "checkpoint.bin.tmp"};
+constexpr std::array run_files{"case.yaml",     "log.txt",           "history.csv",    "budget.csv",
+                               "safety.csv",    "summary.json",      "checkpoint.bin", "summary.json.tmp",
+                               "case.yaml.tmp", "checkpoint.bin.tmp"};
 constexpr std::string_view log_mark = "slope-sim ";  // with which every log begins
 
 // Notes of a checkpoint.
 constexpr const char* note_started = "started";
 constexpr const char* note_history = "history bytes";
 constexpr const char* note_budget = "budget bytes";
+constexpr const char* note_safety = "safety bytes";
 constexpr const char* note_particles = "particle files";
 constexpr const char* note_wall_time = "wall time (s)";
 
@@ -158,6 +159,7 @@ void RunWriter::resume() {
   synchronised_ = particles_->written().size();
   history_.emplace(folder_ / "history.csv", count(note_history));
   budget_.emplace(folder_ / "budget.csv", count(note_budget));
+  if (count(note_safety) > 0) safety_.emplace(folder_ / "safety.csv", count(note_safety));
 }
 
 void RunWriter::write_checkpoint(const couple::Case& input, couple::SimulationState state, bool started,
@@ -175,6 +177,7 @@ void RunWriter::write_checkpoint(const couple::Case& input, couple::SimulationSt
   checkpoint.notes = {{note_started, started ? 1.0 : 0.0},
                       {note_history, length(history_)},
                       {note_budget, length(budget_)},
+                      {note_safety, length(safety_)},
                       {note_particles, static_cast<double>(snapshots.size())},
                       {note_wall_time, wall_time}};
   checkpoint.state = std::move(state);
@@ -195,6 +198,20 @@ void RunWriter::begin_budget(const std::vector<couple::HistoryColumn>& columns) 
 
 void RunWriter::add_budget(const std::vector<double>& row) {
   budget_.value().add(row);
+}
+
+void RunWriter::add_safety(const couple::FactorOfSafety& found) {
+  if (!safety_) {
+    safety_.emplace(folder_ / "safety.csv", std::vector<couple::HistoryColumn>{{"time", "s"},
+                                                                               {"factor of safety", "-"},
+                                                                               {"lower", "-"},
+                                                                               {"upper", "-"},
+                                                                               {"trials", "-"},
+                                                                               {"area", "m2"},
+                                                                               {"depth", "m"}});
+  }
+  safety_->add({found.time, found.factor, found.lower, found.upper.value_or(couple::never),
+                static_cast<double>(found.trials), found.area, found.depth});
 }
 
 void RunWriter::add_snapshot(const couple::ParticleTable& particles, std::string_view label) {

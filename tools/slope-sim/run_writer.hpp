@@ -23,7 +23,7 @@ enum class EarlierRun { refuse, overwrite, resume };
 /// @throws couple::FileError if it would.
 [[nodiscard]] std::filesystem::path usable(const std::filesystem::path& folder, const couple::Case& input);
 
-/// The output folder of a run: case.yaml, log.txt, history.csv, budget.csv, summary.json, particles_*.vtp,
+/// The output folder of a run: case.yaml, log.txt, history.csv, budget.csv, safety.csv, summary.json, particles_*.vtp,
 /// particles.pvd and checkpoint.bin. Every function throws couple::FileError if the disk does not take what it gives.
 class RunWriter {
  public:
@@ -44,6 +44,8 @@ class RunWriter {
   void resume();
   void add_history(const std::vector<double>& row);
   void add_budget(const std::vector<double>& row);
+  /// Of a case that asks for it, in safety.csv.
+  void add_safety(const couple::FactorOfSafety& found);
   void add_snapshot(const couple::ParticleTable& particles, std::string_view label);
   void write_summary(const couple::RunSummary& summary);
   /// @param started  whether the initial state has been found; if not, the run has to begin anew
@@ -60,7 +62,7 @@ class RunWriter {
   std::optional<couple::Checkpoint> checkpoint_;
   std::ofstream log_;
   std::optional<ParticleFileSeries> particles_;
-  std::optional<HistoryFile> history_, budget_;
+  std::optional<HistoryFile> history_, budget_, safety_;
   std::size_t synchronised_ = 0;  // particle files that are on the disk
 };
 

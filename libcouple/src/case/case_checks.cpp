@@ -344,6 +344,35 @@ void check_output(const Input& place, const Case& input) {
   check("history_interval", input.output.history_interval, most_rows, "rows");
 }
 
+/// What is asked of the factor of safety must be there.
+void check_safety(const Input& place, const Case& input) {
+  const SafetyQuestions& asked = input.safety;
+  check_times(place.at("times"), asked.times, input.stop.time);
+  if (input.stop.time / asked.interval > most_snapshots) {
+    place.at("interval")
+        .problem(fmt::format("asks {:.3g} times until stop.time = {:g} s, at most {:g} are possible; choose {:g} s or "
+                             "more",
+                             input.stop.time / asked.interval, input.stop.time, most_snapshots,
+                             input.stop.time / most_snapshots));
+  }
+  if (const auto edges = crossing_edges(asked.within)) {
+    place.at("within").problem(fmt::format("the edges from {} and from {} cross each other; give the corners in order",
+                                           text_of(asked.within[edges->first]), text_of(asked.within[edges->second])));
+  }
+  if (asked.times.empty() && asked.interval == never) return;
+  for (const Soil& soil : input.soils) {
+    if (!std::holds_alternative<solid::ModifiedCamClay>(soil.solid.strength)) continue;
+    place.problem(
+        fmt::format("strength reduction is not defined for modified_cam_clay, the strength of soil \"{}\"; give it "
+                    "another strength, or ask for no factor of safety",
+                    soil.name));
+  }
+  const auto yields = [](const Soil& soil) { return !std::holds_alternative<solid::NoYield>(soil.solid.strength); };
+  if (std::ranges::none_of(input.soils, yields)) {
+    place.problem("no soil has a strength that could be reduced: all are elastic");
+  }
+}
+
 /// Height to which water stands in the ground's pores at a place, if one looks into them from above (m); none for
 /// steady flow, which finds it.
 std::optional<double> water_level_at(const Case& input, const Point& ground) {
@@ -502,6 +531,9 @@ void check_case(const Input& root, const Case& input) {
     check_times(root.at("output").at("snapshots"), input.output.snapshots, input.stop.time);
     check_times(root.at("figures").at("profile_times"), input.figures.profile_times, input.stop.time);
     check_times(root.at("figures").at("contour_times"), input.figures.contour_times, input.stop.time);
+  }
+  if (given("stop") && given("soils") && root.has("safety") && root.clean("safety")) {
+    check_safety(root.at("safety"), input);
   }
   if (root.clean("figures")) check_reference(root, input);
 }

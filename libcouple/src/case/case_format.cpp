@@ -313,6 +313,20 @@ Format<Figures> figures_format() {
       .format();
 }
 
+Format<SafetyQuestions> safety_format() {
+  return Record<SafetyQuestions>()
+      .optional("times", &SafetyQuestions::times, list_of(quantity(Dimension::time, at_least(0.0))),
+                "at which it is found; particle files are written then too")
+      .optional("interval", &SafetyQuestions::interval, quantity(Dimension::time, above(0.0)),
+                "and at the start and every multiple of this")
+      .optional("tolerance", &SafetyQuestions::tolerance, quantity(Dimension::number, between(0.0, 1.0)),
+                "width of the bracket in which the factor lies, over the factor")
+      .optional("within", &SafetyQuestions::within, list_of(pair_of(Dimension::length), 3),
+                "polygon in which the strength is reduced, by positions at the start; without it everywhere, at walls "
+                "with friction too")
+      .format();
+}
+
 }  // namespace
 
 namespace {
@@ -369,6 +383,9 @@ Format<Case> case_format() {
       .optional("points", &Case::points, points, "verification points: the particle nearest to each is followed")
       .optional("output", &Case::output, output_format(), "what is written, and when")
       .optional("figures", &Case::figures, figures_format(), "what slope-render draws beside the standard pictures")
+      .optional("safety", &Case::safety, safety_format(),
+                "the factor of safety by strength reduction: what all strength can be divided by until the slope no "
+                "longer finds balance, with its water as it is then")
       .check([](const Input&, Case& result) { result.water.gravity = result.gravity; });
   return record.format();
 }

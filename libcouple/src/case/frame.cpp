@@ -113,7 +113,7 @@ Case Frame::place(const Case& given) const {
   Case result = given;
   auto& [path, title, gravity, domain, walls, soils, regions, water, initial_water, initial_stress, k0_coefficient,
          water_boundaries, tractions, seismic, scheme, skeleton, mixture_density, numerics, clock, onset,
-         onset_displacement, failure_zone_strain, stop, points, output, figures] = result;
+         onset_displacement, failure_zone_strain, stop, points, output, figures, safety] = result;
   auto& [lower, upper, cell_size, particles_per_cell, surface_particles] = domain;
   lower = {0.0, 0.0};
   upper = {width_, height_};
@@ -124,6 +124,7 @@ Case Frame::place(const Case& given) const {
     place(where);
     if (mirrored_) negate(traction[0]);
   }
+  safety.within = outline_of(safety.within);
   for (auto& [name, position] : points) position = {x_of(position[0]), y_of(position[1])};
   if (mirrored_) {
     auto& [left, right, base, left_friction, right_friction, base_friction, absorbing_depth] = walls;

@@ -127,6 +127,20 @@ ResultFormat<WaterBudget> water_format() {
   return record.format();
 }
 
+ResultFormat<FactorOfSafety> safety_format() {
+  return ResultRecord<FactorOfSafety>()
+      .key("time", &FactorOfSafety::time, measured("s"), "since the start")
+      .key("factor", &FactorOfSafety::factor, measured("-"), "of safety, the middle of its bracket, > 0")
+      .key("lower", &FactorOfSafety::lower, measured("-"),
+           "with the strength divided by this the slope stands; 0: it did with none that was tried")
+      .key("upper", &FactorOfSafety::upper, maybe(measured("-")),
+           "with the strength divided by this it flows; null: it stood with all that were tried")
+      .key("trials", &FactorOfSafety::trials, count(), "number of them")
+      .key("area", &FactorOfSafety::area, measured("m2"), "of the soil that moves then, per metre of thickness, >= 0")
+      .key("depth", &FactorOfSafety::depth, measured("m"), "its largest, normal to the ground at the start, >= 0")
+      .format();
+}
+
 void add_quality(ResultRecord<RunSummary>& record) {
   record
       .key("pressure_checkerboard", found(&Summary::pressure_checkerboard), measured("-"),
@@ -170,8 +184,9 @@ ResultFormat<RunSummary> summary_format() {
            "when the largest displacement passed some values")
       .key("failure_zone", whole, zones_format(), "the soil that sheared")
       .key("slide", whole, slides_format(), "the soil that slid")
-      .key("water_budget", found(&Summary::water), water_format(),
-           "cumulative since the start, per metre of thickness");
+      .key("water_budget", found(&Summary::water), water_format(), "cumulative since the start, per metre of thickness")
+      .key("factor_of_safety", found(&Summary::safety), list_of(safety_format()),
+           "by strength reduction, at the times that the case asks for");
   add_quality(record);
   return record.format();
 }

@@ -4,57 +4,20 @@
 #include <cmath>
 #include <iomanip>
 #include <map>
-#include <numbers>
 #include <sstream>
 #include <string>
 
+#include "balance.hpp"
 #include "slope/seepage/rigid_step.hpp"
 
 namespace slope::couple {
 
 namespace {
 
-constexpr double balanced = 1.0e-6;  // unbalanced over gravity forces at which the stress is taken as found
-// The search is looked at when it has gone on for this many first periods, and each time this has doubled: it goes on
-// while what is unbalanced has fallen by enough. Soil that stands by a hair comes to rest slowly; soil that falls does
-// not.
-constexpr double first_look = 20.0, last_look = 640.0;
-constexpr double still_falling = 0.7;  // of what was unbalanced at the look before
-constexpr int steps_between_questions = 20;
-
 std::string number_text(double value) {
   std::ostringstream text;
   text << std::setprecision(4) << value;
   return text.str();
-}
-
-// Damped motion at fixed positions until the forces balance. Returns the unbalanced over the gravity forces; none if it
-// was not to go on.
-std::optional<double> find_balance(Mixture& mixture, const Actions& actions, const SlopeScale& scale,
-                                   const TimeStep& time_step, bool yields, const InitialObserver& go_on) {
-  // near critical for the first shear mode, whose period is about twice that of the first P-wave
-  const double damping = 2.0 * std::numbers::pi / scale.period();
-  solid::MaterialPointMethod& soil = mixture.soil;
-  const solid::StepMode mode{.yields = yields, .moves = false, .accumulates_strain = false};
-  double unbalanced = 0.0;
-  double look = first_look, before = never;
-  int steps = 0;
-  double dt = 0.0;
-  for (double t = 0.0;; t += dt) {
-    if (t >= look * scale.period()) {
-      if (unbalanced > still_falling * before || look >= last_look) break;
-      before = unbalanced;
-      look *= 2.0;
-    }
-    dt = time_step();
-    soil.predict(dt, mixture.pore_state(), actions.loads(), damping);
-    soil.advance(dt, mixture.water.suction(), mode);
-    unbalanced = soil.balance().unbalanced_force / soil.balance().weight;
-    if (t > scale.period() && unbalanced < balanced) break;
-    const bool asks = ++steps % steps_between_questions == 0;
-    if (asks && !go_on({yields ? "stress" : "elastic stress", unbalanced, balanced})) return std::nullopt;
-  }
-  return unbalanced;
 }
 
 // Vertical effective stress by the weight of what lies above in the same column, one spacing wide, and of half the
@@ -134,9 +97,9 @@ bool find_steady_flow(Mixture& mixture, BoundaryConditions& conditions, const In
 
 std::optional<double> find_self_weight_stress(Mixture& mixture, const Actions& actions, const SlopeScale& scale,
                                               const TimeStep& time_step, const InitialObserver& go_on) {
-  if (!find_balance(mixture, actions, scale, time_step, false, go_on)) return std::nullopt;
+  if (!find_balance(mixture, actions, scale, time_step, Yields::no, go_on)) return std::nullopt;
   mixture.soil.set_internal_variables();
-  const auto unbalanced = find_balance(mixture, actions, scale, time_step, true, go_on);
+  const auto unbalanced = find_balance(mixture, actions, scale, time_step, Yields::yes, go_on);
   mixture.soil.stop();
   return unbalanced;
 }
@@ -148,11 +111,11 @@ std::optional<double> find_k0_stress(Mixture& mixture, const Actions& actions, c
   set_overburden(mixture, actions.standing_water, scale.gravity, spacing);
   set_horizontal_stress(soil.particles(), k0);
   // the grid's own balance differs a little from the overburden: take the ratio again from what it found
-  if (!find_balance(mixture, actions, scale, time_step, false, go_on)) return std::nullopt;
+  if (!find_balance(mixture, actions, scale, time_step, Yields::no, go_on)) return std::nullopt;
   soil.stop();
   set_horizontal_stress(soil.particles(), k0);
   soil.set_internal_variables();
-  const auto unbalanced = find_balance(mixture, actions, scale, time_step, true, go_on);
+  const auto unbalanced = find_balance(mixture, actions, scale, time_step, Yields::yes, go_on);
   soil.stop();
   return unbalanced;
 }
@@ -161,7 +124,7 @@ bool add_standing_acceleration(Mixture& mixture, Actions actions, std::array<dou
                                const SlopeScale& scale, const TimeStep& time_step, const InitialObserver& go_on) {
   if (acceleration == std::array{0.0, 0.0}) return true;
   actions.body_acceleration = acceleration;
-  const bool done = find_balance(mixture, actions, scale, time_step, true, go_on).has_value();
+  const bool done = find_balance(mixture, actions, scale, time_step, Yields::yes, go_on).has_value();
   mixture.soil.stop();
   return done;
 }

@@ -6,18 +6,13 @@
 #include <span>
 #include <vector>
 
+#include "balance.hpp"
 #include "boundary_conditions.hpp"
 #include "clock_control.hpp"
 #include "mixture.hpp"
 #include "slope/couple/simulation.hpp"
 
 namespace slope::couple {
-
-/// Unbalanced over gravity forces, left by the search for the initial stress, above which the slope does not stand (-).
-inline constexpr double unbalanced_limit = 1.0e-4;
-
-/// What is asked for the length of each step of the soil (s): where the stiffness varies, it does.
-using TimeStep = std::function<double()>;
 
 /// Lets the water flow in the unmoved soil until it is steady under the conditions that hold before the start.
 /// @param go_on  is asked after each step. @return whether it got to the end

@@ -38,7 +38,7 @@ solid::MaterialPointMethod make_soil(const Case& input, const InitialParticles& 
                                 : solid::ShapeFunction::quadratic_bspline;
   settings.flip_fraction = input.numerics.flip_fraction.value_or(-1.0);
   settings.gravity = input.gravity;
-  settings.averages_pressure = input.scheme == Scheme::semi_implicit;
+  settings.averages_pressure = input.scheme != Scheme::explicit_two_pass;
   settings.particle_spacing = particles.spacing;
   settings.threads = threads;
   const std::vector<std::uint16_t> soil = soil_indices(particles);

@@ -69,6 +69,19 @@ Event Simulation::advance() {
   return event;
 }
 
+bool Simulation::asks_for_safety() const {
+  return run_->asks_for_safety();
+}
+
+std::optional<Mechanism> Simulation::find_safety(const InitialObserver& observer) {
+  const InitialObserver to_the_end = [](const InitialProgress&) { return true; };
+  try {
+    return run_->find_safety(observer ? observer : to_the_end);
+  } catch (const solid::SolidError& error) {
+    throw SimulationError("factor of safety: soil " + run_->text_of(error));
+  }
+}
+
 SimulationState Simulation::state() const {
   return run_->state();
 }

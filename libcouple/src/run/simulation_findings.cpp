@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "case/polygon.hpp"
 #include "checkerboard.hpp"
+#include "initial_state.hpp"
+#include "safety.hpp"
 #include "simulation_run.hpp"
 
 namespace slope::couple {
@@ -83,6 +86,39 @@ FailureZone Simulation::Run::zone() const {
 
 Slide Simulation::Run::slide() const {
   return find_slide(mixture.soil.particles(), ground, input.domain, particles.spacing, input.onset_displacement);
+}
+
+bool Simulation::Run::asks_for_safety() const {
+  const double close = sliver * now.time_step;
+  const auto is_now = [&](double time) { return std::abs(time - now.time) <= close; };
+  const bool found = !now.result.safety.empty() && is_now(now.result.safety.back().time);
+  return !found && std::ranges::any_of(safety_times, is_now);
+}
+
+std::optional<Mechanism> Simulation::Run::find_safety(const InitialObserver& go_on) {
+  Mixture slope = mixture;
+  BoundaryConditions acting = conditions;
+  Actions now_acting;
+  acting.apply(now.time, slope, now_acting);
+  if (input.scheme == Scheme::seepage) {
+    const TimeStep step = [&] { return slope.soil.stable_step(input.numerics.courant_number, slope.water_mass()); };
+    if (!find_self_weight_stress(slope, now_acting, scale, step, go_on)) return std::nullopt;
+  }
+  SafetySearch search(slope, now_acting, scale, input.numerics.courant_number, surface);
+  if (!input.safety.within.empty()) {
+    std::vector<std::uint8_t> where;
+    for (std::size_t p = 0; p < particles.x.size(); ++p) {
+      where.push_back(contains(input.safety.within, {particles.x[p], particles.y[p]}, 0.0) ? 1 : 0);
+    }
+    search.reduce_within(std::move(where));
+  }
+  std::optional<double> earlier;
+  if (!now.result.safety.empty()) earlier = now.result.safety.back().factor;
+  auto found = search.find(input.safety.tolerance, earlier, go_on);
+  if (!found) return std::nullopt;
+  found->time = now.time;
+  now.result.safety.push_back(*found);
+  return search.mechanism();
 }
 
 void Simulation::Run::measure_pressure() {

@@ -96,6 +96,9 @@ Simulation::Run::Run(Case c, std::optional<bool> mirrored, int threads)
   for (double t = input.output.snapshot_interval; t < input.stop.time; t += input.output.snapshot_interval) {
     snapshot_times.push_back(t);
   }
+  safety_times = input.safety.times;
+  for (int k = 0; k * input.safety.interval <= input.stop.time; ++k) safety_times.push_back(k * input.safety.interval);
+  snapshot_times.insert(snapshot_times.end(), safety_times.begin(), safety_times.end());
   std::erase_if(snapshot_times, [](double t) { return t <= 0.0; });  // the start is always there
   std::ranges::sort(snapshot_times);
   take_due();

@@ -51,6 +51,8 @@ struct Simulation::Run {
   [[nodiscard]] std::string text_of(const solid::SolidError& error) const;
 
   // what is found on the way: simulation_findings.cpp
+  [[nodiscard]] bool asks_for_safety() const;
+  std::optional<Mechanism> find_safety(const InitialObserver& go_on);
   void observe_water();
   [[nodiscard]] WaterBudget water_budget() const;
   void observe_displacement();
@@ -82,7 +84,7 @@ struct Simulation::Run {
   // worked out from the case and the state
   Actions actions;
   std::vector<std::size_t> followed;  // particle of each verification point
-  std::vector<double> snapshot_times;
+  std::vector<double> snapshot_times, safety_times;
   std::size_t history_rows = 0;  // due so far; the first is that of the start
   std::size_t next_snapshot = 0;
   static constexpr int steps_per_call = 200;  // after which advance() returns even if nothing is due

@@ -71,6 +71,25 @@ TEST(CaseProblems, JakysFormulaNeedsAFrictionAngle) {
             R"("k0_coefficient: 0.5")");
 }
 
+TEST(CaseProblems, AFactorOfSafetyNeedsStrengthThatCanBeReduced) {
+  const auto file = shipped_cases() / "quick.yaml";
+  const auto strength = [](const std::string& law) { return "soils.silty_sand.strength={model: " + law + "}"; };
+  EXPECT_TRUE(problems_of(file, {"safety.times=[0 s]"}).empty());
+  EXPECT_TRUE(problems_of(file, {strength("elastic"), "safety.tolerance=0.01"}).empty()) << "none is asked for";
+  auto problems = problems_of(file, {strength("elastic"), "safety.interval=10 s"});
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_EQ(problems[0].key, "safety");
+  EXPECT_EQ(problems[0].message, "no soil has a strength that could be reduced: all are elastic");
+  problems = problems_of(file, {strength("modified_cam_clay, critical_state_ratio: 1, lambda: 0.2, kappa: 0.04, "
+                                         "minimum_mean_stress: 5 kPa, overconsolidation_ratio: 2"),
+                                "safety.times=[0 s]"});
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_EQ(problems[0].key, "safety");
+  EXPECT_EQ(problems[0].message,
+            R"(strength reduction is not defined for modified_cam_clay, the strength of soil "silty_sand"; give it )"
+            R"(another strength, or ask for no factor of safety)");
+}
+
 /// Files that hold no case at all.
 struct NoCase {
   const char* what;

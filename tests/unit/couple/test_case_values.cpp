@@ -154,7 +154,8 @@ std::string full_case() {
       "numerics: {shape_function: linear, flip_fraction: 95 %, courant_number: 0.3, pressure_tolerance: 0.1, "
       "smoothing_length: 1.3}\n"
       "clock: {adaptive: false, unbalanced_limit: 0.1, maximum_factor: 10}\n"
-      "figures: {profile_times: [2 s], contour_times: [1 s, 40 min]}\n";
+      "figures: {profile_times: [2 s], contour_times: [1 s, 40 min]}\n"
+      "safety: {times: [5 s, 1 min], interval: 2 min, tolerance: 1 %, within: [[0 m, 0 m], [9 m, 0 m], [9 m, 5 m]]}\n";
   return content;
 }
 
@@ -219,6 +220,10 @@ TEST(CaseValues, EveryKeyReachesTheCase) {
   EXPECT_EQ(std::get<seepage::VanGenuchtenMualem>(permeability.law).entry_saturation, curve.entry_saturation());
   EXPECT_EQ(input.numerics.shape_function, ShapeFunction::linear);
   EXPECT_EQ(input.numerics.flip_fraction, 0.95);
+  EXPECT_EQ(input.safety.times, (std::vector<double>{5.0, 60.0}));
+  EXPECT_EQ(input.safety.interval, 120.0);
+  EXPECT_EQ(input.safety.tolerance, 0.01);
+  EXPECT_EQ(input.safety.within, (std::vector<Point>{{0.0, 0.0}, {9.0, 0.0}, {9.0, 5.0}}));
   EXPECT_EQ(input.numerics.courant_number, 0.3);
   EXPECT_EQ(input.numerics.pressure_tolerance, 0.1);
   EXPECT_EQ(input.numerics.smoothing_length, 1.3);

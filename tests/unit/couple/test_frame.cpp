@@ -34,6 +34,7 @@ water_boundaries:
 loads: [{name: fill, at: ground_surface, from: 8 m, to: 9 m, traction: [1 kPa, -10 kPa]}]
 seismic: {horizontal_coefficient: 0.1, vertical_coefficient: 0.05}
 points: {toe: [2.5 m, 1 m], deep: [9.3 m, 2.1 m]}
+safety: {times: [1 s], tolerance: 0.1, within: [[1 m, 0 m], [11 m, 0 m], [11 m, 5 m], [1 m, 3 m]]}
 )";
 
 /// The same, written down by hand as its mirror image in other coordinates: x from 500134.45 m leftwards, y from 404.1
@@ -55,6 +56,8 @@ water_boundaries:
 loads: [{name: fill, at: ground_surface, from: 500125.45 m, to: 500126.45 m, traction: [-1 kPa, -10 kPa]}]
 seismic: {horizontal_coefficient: -0.1, vertical_coefficient: 0.05}
 points: {toe: [500131.95 m, 405.1 m], deep: [500125.15 m, 406.2 m]}
+safety: {times: [1 s], tolerance: 0.1, within: [[500133.45 m, 404.1 m], [500133.45 m, 407.1 m], [500123.45 m, 409.1 m],
+                                                [500123.45 m, 404.1 m]]}
 )";
 
 const std::string rest = R"(
@@ -96,6 +99,7 @@ Outcome outcome_of(const Case& input) {
   for (Event event; !event.finished;) {
     event = simulation.advance();
     if (event.history) outcome.history.push_back(simulation.history_row());
+    if (simulation.asks_for_safety()) simulation.find_safety();
   }
   outcome.particles = simulation.particles();
   outcome.summary = simulation.summary();

@@ -214,6 +214,14 @@ struct Output {
   double history_interval = 1.0;     ///< (s), > 0; not given: a thousandth of stop.time, but 1 s at least
 };
 
+/// When the factor of safety is asked for, and of what.
+struct SafetyQuestions {
+  std::vector<double> times;  ///< (s), >= 0
+  double interval = never;    ///< at every multiple of this as well, from the start on (s), > 0
+  double tolerance = 0.005;   ///< width of the bracket around the factor, over the factor (-), in (0, 1)
+  std::vector<Point> within;  ///< polygon in which strength is reduced, at the positions of the start (m); empty: all
+};
+
 /// What slope-render draws beside the standard pictures.
 struct Figures {
   std::vector<double> profile_times;  ///< times of suction-against-height profiles (s); empty: no profile figure
@@ -251,6 +259,7 @@ struct Case {
   std::vector<VerificationPoint> points;
   Output output;
   Figures figures;
+  SafetyQuestions safety;
 };
 
 }  // namespace slope::couple

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -67,7 +68,8 @@ struct InitialProgress {
   std::string stage;     ///< "steady flow", "elastic stress" or "stress"
   double measure = 0.0;  ///< of what still changes: of the pressures in a step (Pa), or unbalanced over gravity forces
   double wanted = 0.0;   ///< the measure at which the stage ends, in the same unit
-  double step_time = 0.0;  ///< of steady flow: the length of the step (s), which has to become long
+  double step_time = 0.0;                ///< of steady flow: the length of the step (s), which has to become long
+  std::string search = "initial state";  ///< or "factor of safety": what is searched for
 };
 
 /// Is told the progress every now and then, and answers whether to go on.
@@ -79,6 +81,13 @@ struct Event {
   bool snapshot = false;  ///< a particle file is due: ask particles()
   std::string label;      ///< of the snapshot: "onset", "end", or empty
   bool finished = false;  ///< the run is over
+};
+
+/// How a slope would flow with the least reduction of its strength that it does not bear: of each particle, shares of
+/// the largest (-), in [0, 1].
+struct Mechanism {
+  std::vector<double> speed;
+  std::vector<double> shear_strain;  ///< deviatoric, of the flow in a moment
 };
 
 /// A case being run: both solvers, the exchange between them, and the clock. What it is between two steps is its State;
@@ -112,6 +121,15 @@ class Simulation {
   Event advance();
   /// All that the slope is now.
   [[nodiscard]] State state() const;
+
+  /// Whether the case asks for the factor of safety at the present time, and it has not been found.
+  [[nodiscard]] bool asks_for_safety() const;
+  /// Finds the factor of safety by strength reduction, of the slope and its water as they are now, and adds it to the
+  /// summary's. Strengths that plastic strain has softened are reduced from what is left of them. Water alone in
+  /// scheme: seepage: the stress under its pressures is found first.
+  /// @param observer  none: it goes on to the end. @return none if it was not to
+  /// @throws SimulationError when the physics breaks
+  std::optional<Mechanism> find_safety(const InitialObserver& observer = {});
 
   [[nodiscard]] const Case& input() const;
   [[nodiscard]] Progress progress() const;

@@ -129,6 +129,26 @@ struct DisplacementTime {
   bool operator==(const DisplacementTime&) const = default;
 };
 
+/// How safe the slope is at a time.
+struct FactorOfSafety {
+  double time = 0.0;            ///< since the start (s)
+  double factor = 0.0;          ///< the middle of the bracket (-); the lower end if there is no upper one
+  double lower = 0.0;           ///< with the strength divided by this it stands (-); 0: with none that was tried
+  std::optional<double> upper;  ///< and by this it flows (-); none: it stood with all that were tried
+  std::size_t trials = 0;
+  double area = 0.0;   ///< of the mechanism: what moves at more than a tenth of the largest speed (m2); 0: none
+  double depth = 0.0;  ///< its largest depth, normal to the ground surface at the start (m)
+
+  template <class Self, class Visit>
+  static void for_each_field(Self& s, const Visit& visit) {
+    visit("time", s.time);
+    visit("factor", s.factor), visit("lower", s.lower), visit("upper", s.upper);
+    visit("trials", s.trials);
+    visit("area", s.area), visit("depth", s.depth);
+  }
+  bool operator==(const FactorOfSafety&) const = default;
+};
+
 struct Summary {
   EndReason end_reason = EndReason::running;
   Verdict verdict = Verdict::undecided;
@@ -146,6 +166,7 @@ struct Summary {
   std::optional<Slide> slide_at_10_cm;  ///< at a largest displacement of 10 cm
   Slide slide_at_end;
   WaterBudget water;
+  std::vector<FactorOfSafety> safety;     ///< at the times that the case asks for
   double largest_displacement = 0.0;      ///< (m)
   double pressure_checkerboard = 0.0;     ///< largest over the run, of the measure defined in README (-)
   double initial_head_flux = 0.0;         ///< largest Darcy flux of the head operator before the rain, over k (-)
@@ -175,6 +196,7 @@ struct Summary {
     visit("slide_at_10_cm", s.slide_at_10_cm);
     visit("slide_at_end", s.slide_at_end);
     visit("water", s.water);
+    visit("safety", s.safety);
     visit("largest_displacement", s.largest_displacement);
     visit("pressure_checkerboard", s.pressure_checkerboard);
     visit("initial_head_flux", s.initial_head_flux);

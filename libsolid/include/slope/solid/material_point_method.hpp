@@ -244,6 +244,11 @@ class MaterialPointMethod {
   /// Brings all particles to rest.
   void stop();
 
+  /// The same soil in the same state with strengths, those of frictional walls too, divided by a factor: whatever they
+  /// are by suction and plastic strain. Laws with state keep theirs.
+  /// @param factor  F (-), > 0; @param where  of each particle, whether it is weakened; empty: all soil and the walls
+  [[nodiscard]] MaterialPointMethod weakened(double factor, std::span<const std::uint8_t> where = {}) const;
+
  private:
   struct ParticleWeights {
     std::size_t node = 0;       // the first of 3 x 3

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "slope/solid/soil.hpp"
 
@@ -24,7 +25,8 @@ template <class Shape>
   return strength.softening && plastic_strain > strength.softening->range.from;
 }
 
-/// Eqs. 15 and 16 on top of c' and phi', which fall with plastic strain; a suction below zero counts as zero.
+/// Eqs. 15 and 16 on top of c' and phi', which fall with plastic strain; a suction below zero counts as zero. All of it
+/// is divided by the strength's reduction.
 template <class Shape>
 [[nodiscard]] ShearStrength shear_strength(const FrictionalStrength<Shape>& strength, double suction,
                                            double plastic_strain) {
@@ -39,6 +41,11 @@ template <class Shape>
   }
   now.cohesion -= strength.maximum_cohesion_increase * std::expm1(-strength.cohesion_suction_rate * s);
   now.friction_angle += strength.friction_angle_suction_rate * s;
+  if (strength.reduction != 1.0) {
+    now.cohesion /= strength.reduction;
+    now.friction_angle = std::atan(std::tan(std::min(now.friction_angle, 0.5 * std::numbers::pi)) / strength.reduction);
+    now.dilatancy_angle = std::min(now.dilatancy_angle, now.friction_angle);
+  }
   return now;
 }
 

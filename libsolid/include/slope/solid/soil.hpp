@@ -58,6 +58,9 @@ struct FrictionalStrength {
   double cohesion_suction_rate = 0.0;        ///< B (-), >= 0
   double friction_angle_suction_rate = 0.0;  ///< A (rad): increase of phi per atmosphere of suction
   std::optional<FrictionalSoftening> softening = std::nullopt;  ///< none: the strength is that of the peak for ever
+  /// F (-), > 0, for strength reduction: whatever c and phi are by suction and plastic strain, the soil has c / F and
+  /// atan(tan(phi) / F); psi is no more than that.
+  double reduction = 1.0;
 };
 
 /// Drucker-Prager strength matched to Mohr-Coulomb in plane strain (paper, Eqs. 11-14).
@@ -77,6 +80,7 @@ struct UndrainedSoftening {
 struct VonMises {
   double undrained_strength = 0.0;  ///< s_u (Pa), > 0: the largest shear stress in plane strain
   std::optional<UndrainedSoftening> softening = std::nullopt;
+  double reduction = 1.0;  ///< F (-), > 0: the soil has s_u / F
 };
 
 /// Modified Cam-clay (Roscoe and Burland 1968), for clay whose stiffness and strength come from the stress that it has
