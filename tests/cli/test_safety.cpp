@@ -92,9 +92,9 @@ TEST_F(SafetyCommand, ARunThatIsInterruptedWhileItSearchesEndsAsIfItWereNot) {
   };
   ASSERT_EQ(call(run("whole")).exit_code, 0);
   int interrupted = 0;
-  for (int k = 1; k < 20; ++k) {
+  for (int k = 1; k < 12; ++k) {
     Program program(run("pieces", "--resume"), scratch_);
-    std::this_thread::sleep_for(std::chrono::milliseconds(100 * k));
+    std::this_thread::sleep_for(std::chrono::milliseconds(60 * k));
     if (program.running()) program.signal(SIGINT);
     const Outcome outcome = program.wait();
     ASSERT_TRUE(outcome.exit_code == 0 || outcome.exit_code == 130) << outcome.errors;

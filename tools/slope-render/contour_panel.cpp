@@ -140,7 +140,11 @@ const std::vector<Field>& drawable_fields() {
       {"saturation", "saturation", "Degree of saturation S_{r} (-)", 1.0, viridis(), false, true},
       {"porosity", "porosity", "Porosity n (-)", 1.0, viridis(), false, true},
       {"preconsolidation_pressure", "preconsolidation_pressure", "Preconsolidation pressure p_{c} (kPa)", 1.0e-3,
-       viridis(), false, true, false}};
+       viridis(), false, true, false},
+      {"mechanism_shear_strain", "mechanism_shear_strain", "Shear strain of the flow, over its largest (-)", 1.0,
+       magma_reversed(), true, false, false},
+      {"mechanism_speed", "mechanism_speed", "Speed of the flow, over its largest (-)", 1.0, magma_reversed(), true,
+       false, false}};
   return fields;
 }
 

@@ -136,11 +136,13 @@ int main(int argc, char** argv) {
                                  ? std::string()
                                  : "\"" + time + "\" is no time that a run can have";
                     });
-  auto* field = app.add_option("--field", options.fields,
-                               "Fields of the contour pictures, with commas: suction, deviatoric_strain, displacement, "
-                               "pore_pressure, saturation, porosity, preconsolidation_pressure (default: the first "
-                               "two)")
-                    ->delimiter(',');
+  auto* field =
+      app.add_option("--field", options.fields,
+                     "Fields of the contour pictures, with commas: suction, deviatoric_strain, displacement, "
+                     "pore_pressure, saturation, porosity, preconsolidation_pressure, mechanism_shear_strain, "
+                     "mechanism_speed (default: the first "
+                     "two)")
+          ->delimiter(',');
   auto* paper_flag =
       app.add_flag("--paper", paper,
                    "Draws the paper's Figs. 4 and 6 to 18, and judges its claims in report.md, from the runs of its "

@@ -97,6 +97,26 @@ void write_contours(const RunFolder& run, const PictureOptions& options, Picture
   }
 }
 
+/// How the slope would flow when it was least safe.
+void write_mechanism(const RunFolder& run, const PictureOptions& options, Pictures& pictures) {
+  if (!run.summary || run.snapshots.empty() || run.input.path.empty()) return;
+  std::vector<couple::FactorOfSafety> found = run.summary->found.safety;
+  std::erase_if(found, [](const couple::FactorOfSafety& safety) { return safety.area <= 0.0; });
+  if (found.empty()) return;
+  const couple::FactorOfSafety least = *std::ranges::min_element(found, {}, &couple::FactorOfSafety::factor);
+  const Field& field = field_called("mechanism_shear_strain");
+  const Snapshot& snapshot = nearest_snapshot(run.snapshots, least.time);
+  const fs::path file = options.folder / "mechanism.png";
+  write_picture(file, pictures, [&] {
+    const auto particles = read_drawable_particles(snapshot.file, pictures.losses);
+    const std::string caption = fmt::format("t = {}, factor of safety {:.3f}", time_text(least.time), least.factor);
+    write_contour_picture(
+        file, options.width,
+        {particles, field, common_scale(field, {particles}), run.input.domain, run.input.failure_zone_strain,
+         run.input.title, caption, true, standing_water_at(run.input, least.time)});
+  });
+}
+
 /// What a run is called in its charts.
 std::string title_of(const RunFolder& run) {
   return run.input.path.empty() ? run.path.filename().string() : run.input.title;
@@ -132,6 +152,16 @@ void write_histories(const RunFolder& run, const PictureOptions& options, Pictur
       write("suction", "Suction s (kPa)", times, std::move(suction));
     }
   }
+  if (run.summary && run.summary->found.safety.size() > 1) {
+    std::vector<double> safety_times;
+    Curve factor{"factor of safety", {}}, one{"1", {}};
+    for (const couple::FactorOfSafety& safety : run.summary->found.safety) {
+      safety_times.push_back(safety.time);
+      factor.values.push_back(safety.factor);
+      one.values.push_back(1.0);
+    }
+    write("safety", "Factor of safety (-)", safety_times, {factor, one});
+  }
   if (!has_rows(run.budget)) return;
   if (!has_amounts(run.budget)) {
     pictures.losses.leave_out(fmt::format("{}: has no amounts of water", (run.path / "budget.csv").string()));
@@ -156,6 +186,7 @@ Pictures write_pictures(const RunFolder& run, const PictureOptions& options) {
   make_folder(options.folder);
   Pictures pictures;
   write_contours(run, options, pictures);
+  write_mechanism(run, options, pictures);
   write_histories(run, options, pictures);
   write_profiles(run, options, pictures);
   return pictures;

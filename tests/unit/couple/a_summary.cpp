@@ -22,6 +22,7 @@ RunSummary a_summary() {
   found.zone_at_end = FailureZone{15, 7.75, 2.25, 27, 5, 12.75, 38000};
   found.slide_at_end = {31.5, -1.0, 0.28, Point{10, 5}, 0.25, false};
   found.water = {1.5, 0.25, 1.25, 1.5e-9, 1e-9, {{"rain", 1.5}, {"outlet", -0.25}}, 2.5, 1.5, 1.0, 0.125, 0.0625};
+  found.safety = {{0.0, 1.9, 1.875, 1.925, 9, 87.5, 5.5}, {600.0, 20.0, 20.0, std::nullopt, 7, 0.0, 0.0}};
   found.largest_displacement = 0.3;
   found.pressure_checkerboard = std::numeric_limits<double>::quiet_NaN();
   found.largest_unbalanced_ratio = 1.0 / 3.0;
