@@ -106,13 +106,7 @@ void MaterialPointMethod::stop() {
 
 void MaterialPointMethod::predict(double dt, const PoreState& pore, const Loads& loads, double damping) {
   require(loads.tractions.empty() || settings_.particle_spacing > 0.0, "tractions need a particle spacing");
-  if (settings_.shape_function == ShapeFunction::quadratic_bspline) {
-    find_weights<QuadraticBSpline>();
-  } else {
-    find_weights<Linear>();
-  }
-  sort_into_cells();
-  find_hats();
+  place_on_grid();
   const PoreState inside = less_outside(pore, loads.surface);
   scatter(inside, loads.surface, {loads.body_acceleration[0], loads.body_acceleration[1] - settings_.gravity});
   add_tractions(loads.tractions);
@@ -123,6 +117,20 @@ void MaterialPointMethod::predict(double dt, const PoreState& pore, const Loads&
   }
   look_at_soil(inside.pressure);
   update_velocity(dt, damping);
+}
+
+// What the grid is to the particles; in a search for balance at fixed positions it stays what it was.
+void MaterialPointMethod::place_on_grid() {
+  const Particles& particles = state_.particles;
+  if (particles.x == placed_x_ && particles.y == placed_y_ && particles.volume == placed_volume_) return;
+  if (settings_.shape_function == ShapeFunction::quadratic_bspline) {
+    find_weights<QuadraticBSpline>();
+  } else {
+    find_weights<Linear>();
+  }
+  sort_into_cells();
+  find_hats();
+  placed_x_ = particles.x, placed_y_ = particles.y, placed_volume_ = particles.volume;
 }
 
 // The pore state with the pressure on the surface taken off its pressure.

@@ -321,6 +321,7 @@ class MaterialPointMethod {
     bool has_state = is_law_with_state(strength);  // elastic then says nothing; the three moduli are zero
   };
 
+  void place_on_grid();
   template <class Shape>
   void find_weights();
   void sort_into_cells();
@@ -374,6 +375,7 @@ class MaterialPointMethod {
   Settings settings_;
   State state_;
 
+  std::vector<double> placed_x_, placed_y_, placed_volume_;  // for which the particles were placed on the grid
   std::vector<ParticleWeights> weights_;
   std::vector<double> mass_;                 // of each particle, with its water (kg/m)
   std::vector<double> excess_;               // pore pressure less the pressure on the surface (Pa)
