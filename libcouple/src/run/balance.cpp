@@ -6,7 +6,6 @@ namespace slope::couple {
 
 namespace {
 
-constexpr double balanced = 1.0e-6;  // unbalanced over gravity forces at which the stress is taken as found
 // In first periods.
 constexpr double first_look = 20.0, last_look = 640.0;
 constexpr double still_falling = 0.7;  // of what was unbalanced at the look before
@@ -15,7 +14,8 @@ constexpr int steps_between_questions = 20;
 }  // namespace
 
 std::optional<double> find_balance(Mixture& mixture, const Actions& actions, const SlopeScale& scale,
-                                   const TimeStep& time_step, Yields yields, const InitialObserver& go_on) {
+                                   const TimeStep& time_step, Yields yields, double wanted,
+                                   const InitialObserver& go_on) {
   // near critical for the first shear mode, whose period is about twice that of the first P-wave
   const double damping = 2.0 * std::numbers::pi / scale.period();
   solid::MaterialPointMethod& soil = mixture.soil;
@@ -35,9 +35,9 @@ std::optional<double> find_balance(Mixture& mixture, const Actions& actions, con
     soil.predict(dt, mixture.pore_state(), actions.loads(), damping);
     soil.advance(dt, mixture.water.suction(), mode);
     unbalanced = soil.balance().unbalanced_force / soil.balance().weight;
-    if (t > scale.period() && unbalanced < balanced) break;
+    if (t > scale.period() && unbalanced < wanted) break;
     const bool asks = ++steps % steps_between_questions == 0;
-    if (asks && !go_on({yielding ? "stress" : "elastic stress", unbalanced, balanced})) return std::nullopt;
+    if (asks && !go_on({yielding ? "stress" : "elastic stress", unbalanced, wanted})) return std::nullopt;
   }
   return unbalanced;
 }

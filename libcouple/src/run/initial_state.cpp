@@ -97,9 +97,9 @@ bool find_steady_flow(Mixture& mixture, BoundaryConditions& conditions, const In
 
 std::optional<double> find_self_weight_stress(Mixture& mixture, const Actions& actions, const SlopeScale& scale,
                                               const TimeStep& time_step, const InitialObserver& go_on) {
-  if (!find_balance(mixture, actions, scale, time_step, Yields::no, go_on)) return std::nullopt;
+  if (!find_balance(mixture, actions, scale, time_step, Yields::no, balanced, go_on)) return std::nullopt;
   mixture.soil.set_internal_variables();
-  const auto unbalanced = find_balance(mixture, actions, scale, time_step, Yields::yes, go_on);
+  const auto unbalanced = find_balance(mixture, actions, scale, time_step, Yields::yes, balanced, go_on);
   mixture.soil.stop();
   return unbalanced;
 }
@@ -111,11 +111,11 @@ std::optional<double> find_k0_stress(Mixture& mixture, const Actions& actions, c
   set_overburden(mixture, actions.standing_water, scale.gravity, spacing);
   set_horizontal_stress(soil.particles(), k0);
   // the grid's own balance differs a little from the overburden: take the ratio again from what it found
-  if (!find_balance(mixture, actions, scale, time_step, Yields::no, go_on)) return std::nullopt;
+  if (!find_balance(mixture, actions, scale, time_step, Yields::no, balanced, go_on)) return std::nullopt;
   soil.stop();
   set_horizontal_stress(soil.particles(), k0);
   soil.set_internal_variables();
-  const auto unbalanced = find_balance(mixture, actions, scale, time_step, Yields::yes, go_on);
+  const auto unbalanced = find_balance(mixture, actions, scale, time_step, Yields::yes, balanced, go_on);
   soil.stop();
   return unbalanced;
 }
@@ -124,7 +124,7 @@ bool add_standing_acceleration(Mixture& mixture, Actions actions, std::array<dou
                                const SlopeScale& scale, const TimeStep& time_step, const InitialObserver& go_on) {
   if (acceleration == std::array{0.0, 0.0}) return true;
   actions.body_acceleration = acceleration;
-  const bool done = find_balance(mixture, actions, scale, time_step, Yields::yes, go_on).has_value();
+  const bool done = find_balance(mixture, actions, scale, time_step, Yields::yes, balanced, go_on).has_value();
   mixture.soil.stop();
   return done;
 }

@@ -86,7 +86,7 @@ std::optional<SafetySearch::Trial> SafetySearch::attempt(double factor, const In
   };
   const std::string stage = fmt::format("strength over {:.4g}", factor);
   const auto unbalanced =
-      find_balance(trial, actions_, scale_, step, Yields::yes, [&](const InitialProgress& progress) {
+      find_balance(trial, actions_, scale_, step, Yields::yes, nearly_balanced, [&](const InitialProgress& progress) {
         return go_on({stage, progress.measure, progress.wanted, 0.0, "factor of safety"});
       });
   if (!unbalanced) return std::nullopt;
