@@ -130,6 +130,7 @@ void SafetySearch::take_mechanism(Mixture& flowing) {
     mechanism_.shear_strain[p] = deviatoric_strain_of(before, p);
     largest = std::max(largest, mechanism_.shear_strain[p]);
   }
+  if (largest == 0.0) return;  // all of it goes as one body
   for (double& strain : mechanism_.shear_strain) strain /= largest;
 }
 

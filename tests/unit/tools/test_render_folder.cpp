@@ -1,15 +1,18 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <stdexcept>
 
 #include "csv_table.hpp"
+#include "particle_file.hpp"
 #include "picture_file.hpp"
 #include "pictures.hpp"
 #include "run_curves.hpp"
 #include "scratch_folder.hpp"
 #include "slope/couple/read_case.hpp"
 #include "synthetic_run.hpp"
+#include "synthetic_slope.hpp"
 
 namespace slope::tools::test {
 namespace {
@@ -44,6 +47,31 @@ TEST(RunFolder, GivesTheStandardPictures) {
   for (const auto& file : written) {
     EXPECT_EQ(PictureFile(file).width(), 400) << file;
   }
+}
+
+TEST(RunFolder, DrawsTheFactorOfSafetyAndHowTheSlopeWouldFlow) {
+  const ScratchFolder scratch;
+  write_slope_run(scratch.path());
+  {
+    ParticleFileSeries series(scratch.path());
+    series.write(synthetic_slope(0.0), "start");
+    couple::ParticleTable flowing = synthetic_slope(300.0, 0.05, 0.7);
+    flowing.internal.push_back({"mechanism_speed", "-", flowing.deviatoric_strain});
+    flowing.internal.push_back({"mechanism_shear_strain", "-", flowing.deviatoric_strain});
+    series.write(flowing);
+  }
+  RunFolder run = read_run_folder(scratch.path());
+  run.summary->found.safety = {{0.0, 1.5, 1.4, 1.6, 5, 0.0, 0.0}, {300.0, 0.99, 0.98, 1.0, 4, 12.0, 1.5}};
+  const PictureOptions options{scratch.path() / "figures", 400, {}, {}};
+  auto names = names_of(write_pictures(run, options).written);
+  for (const char* name : {"mechanism.png", "safety.png"}) {
+    EXPECT_EQ(std::ranges::count(names, name), 1) << name;
+    EXPECT_EQ(PictureFile(options.folder / name).width(), 400);
+  }
+  run.summary->found.safety.pop_back();
+  names = names_of(write_pictures(run, options).written);
+  EXPECT_EQ(std::ranges::count(names, "mechanism.png"), 0) << "nothing flows";
+  EXPECT_EQ(std::ranges::count(names, "safety.png"), 0) << "one time makes no curve";
 }
 
 TEST(RunFolder, TellsTheOnsetThatTheCaseDidNotChoose) {
