@@ -42,12 +42,7 @@ void MaterialPointMethod::find_weights() {
                        {(1.0 - right) * (1.0 - up), right * (1.0 - up), (1.0 - right) * up, right * up}};
     grid_cell_of_[p] = std::size_t(row) * std::size_t(grid_.columns) + std::size_t(column);
   }
-  if (outside == n) return;
-  const double x = state_.particles.x[outside] - grid_.lower[0];
-  if (!(x >= 0.0 && x * inverse < grid_.columns)) {
-    throw SolidError(outside, "x position (m), outside of the grid,", state_.particles.x[outside]);
-  }
-  throw SolidError(outside, "y position (m), outside of the grid,", state_.particles.y[outside]);
+  if (outside != n) refuse_place(outside);
 }
 
 template void MaterialPointMethod::find_weights<QuadraticBSpline>();

@@ -190,15 +190,31 @@ void MaterialPointMethod::forget_losses() {
   state_.particles.for_each_loss(to_zero);
 }
 
+bool MaterialPointMethod::holds_x_of(std::size_t p) const {
+  const double place = (state_.particles.x[p] - grid_.lower[0]) * (1.0 / grid_.cell_size);
+  return place >= 0.0 && place < grid_.columns;
+}
+
+bool MaterialPointMethod::holds_y_of(std::size_t p) const {
+  const double place = (state_.particles.y[p] - grid_.lower[1]) * (1.0 / grid_.cell_size);
+  return place >= 0.0 && place < grid_.rows;
+}
+
+void MaterialPointMethod::refuse_place(std::size_t p) const {
+  if (!holds_x_of(p)) throw SolidError(p, "x position (m), outside of the grid,", state_.particles.x[p]);
+  throw SolidError(p, "y position (m), outside of the grid,", state_.particles.y[p]);
+}
+
 void MaterialPointMethod::check() const {
   const std::size_t n = state_.particles.size();
   const Particles& f = state_.particles;
   const auto velocity = [&f](std::size_t p) { return f.vx[p] + f.vy[p]; };
   const auto stress = [&f](std::size_t p) { return f.sxx[p] + f.syy[p] + f.szz[p] + f.sxy[p]; };
+  const auto inside = [this](std::size_t p) { return holds_x_of(p) && holds_y_of(p); };
   std::size_t bad = 0;
 #pragma omp parallel for schedule(static) num_threads(settings_.threads) if (settings_.threads > 1) reduction(+ : bad)
   for (std::size_t p = 0; p < n; ++p) {
-    if (!std::isfinite(velocity(p) + stress(p)) || !(f.volume[p] > 0.0)) ++bad;
+    if (!std::isfinite(velocity(p) + stress(p)) || !(f.volume[p] > 0.0) || !inside(p)) ++bad;
   }
   if (bad == 0) return;
   // what comes first in the step is nearest to the cause
@@ -207,6 +223,9 @@ void MaterialPointMethod::check() const {
   }
   for (std::size_t p = 0; p < n; ++p) {
     if (!(f.volume[p] > 0.0)) throw SolidError(p, "volume (m2)", f.volume[p]);
+  }
+  for (std::size_t p = 0; p < n; ++p) {
+    if (!inside(p)) refuse_place(p);
   }
   for (std::size_t p = 0; p < n; ++p) {
     if (!std::isfinite(stress(p))) throw SolidError(p, "effective stress (Pa)", stress(p));

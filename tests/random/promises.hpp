@@ -33,10 +33,10 @@ class Promises {
 
   const couple::Case& input_;
   std::vector<double> first_volume_, first_porosity_;
-  std::vector<double> contents_;                   ///< water of each particle's pores at the last look (m2)
-  std::vector<double> volumes_;                    ///< of the particles then (m2)
-  double largest_pressure_ = 0.0;                  ///< of any particle, of either sign (Pa)
-  double most_moved_ = 0.0;                        ///< of that water, from one look to the next, summed (m3/m)
+  std::vector<double> contents_;   ///< water of each particle's pores at the last look (m2)
+  std::vector<double> volumes_;    ///< of the particles then (m2)
+  double largest_pressure_ = 0.0;  ///< of any particle, of either sign (Pa)
+  double most_moved_ = 0.0;  ///< of it from one look to the next: root of the sum of squares times their number (m3/m)
   double first_storage_ = 0.0;                     ///< their sum before the start (m3/m)
   double lowest_head_ = 0.0, highest_head_ = 0.0;  ///< between which water stays that nothing squeezes (m)
   std::vector<double> last_budget_;

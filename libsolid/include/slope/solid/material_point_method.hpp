@@ -364,6 +364,9 @@ class MaterialPointMethod {
   void update_with_state(double dt, std::span<const double> suction, const StepMode& mode);
   [[nodiscard]] std::span<double> internal_of(std::size_t p);
   [[nodiscard]] Elastic stiffness(std::size_t p, const SymmetricTensor& stress) const;
+  [[nodiscard]] bool holds_x_of(std::size_t p) const;
+  [[nodiscard]] bool holds_y_of(std::size_t p) const;
+  [[noreturn]] void refuse_place(std::size_t p) const;
   void check() const;
   [[nodiscard]] WallState& memory_of(const WallNode& wall) { return state_.walls[wall.number]; }
   [[nodiscard]] const WallState& memory_of(const WallNode& wall) const { return state_.walls[wall.number]; }
