@@ -146,7 +146,9 @@ class Run {
     writer_.log(text);
     progress_.say(text);
     write_summary();
-    return !simulation_.asks_for_safety() || add_snapshot(is_over() ? "end" : simulation_.progress().steps == 0 ? "start" : "");
+    if (!simulation_.asks_for_safety()) return true;
+    if (is_over()) return add_snapshot("end");
+    return add_snapshot(simulation_.progress().steps == 0 ? "start" : "");
   }
 
   [[nodiscard]] bool is_over() const { return simulation_.summary().end_reason != couple::EndReason::running; }

@@ -16,17 +16,17 @@ double spread(const KnownFactor& slope) {
 }
 
 TEST(SlopeFactorFine, HardlyDependsOnTheGridInFrictionalSoil) {
-  EXPECT_TRUE(record("slope-factor-2", "Slope 1:1.5, factor of safety, spread over 5, 10 and 20 cells in the height",
-                     at_most(0.03), spread(frictional_slope()), "%"));
+  EXPECT_TRUE(record("slope-factor-2", "- spread over 5, 10 and 20 cells in the height, over Bishop's", at_most(0.03),
+                     spread(frictional_slope()), "%"));
 }
 
 TEST(SlopeFactorFine, HardlyDependsOnTheGridInDilatantSoil) {
-  EXPECT_TRUE(record("slope-factor-4", "- with the dilatancy angle = friction angle", at_most(0.03),
+  EXPECT_TRUE(record("slope-factor-4", "- spread with the dilatancy angle = friction angle", at_most(0.03),
                      spread(dilatant_slope()), "%"));
 }
 
 TEST(SlopeFactorFine, HardlyDependsOnTheGridInUndrainedSoil) {
-  EXPECT_TRUE(record("slope-factor-6", "- of undrained clay", at_most(0.03), spread(undrained_slope()), "%"));
+  EXPECT_TRUE(record("slope-factor-6", "- spread in undrained clay", at_most(0.03), spread(undrained_slope()), "%"));
 }
 
 }  // namespace
