@@ -47,7 +47,8 @@ couple::ParticleTable synthetic_slope(double time, double slide, double wet_dept
   constexpr double radius = 13.0;
   couple::ParticleTable table;
   table.time = time;
-  table.internal = {{"preconsolidation_pressure", "Pa", {}}};
+  table.internal = {
+      {"preconsolidation_pressure", "Pa", {}}, {"mechanism_speed", "-", {}}, {"mechanism_shear_strain", "-", {}}};
   for (int j = 0; j < 48; ++j) {
     for (int i = 0; i < 144; ++i) {
       const double x = (i + 0.5) * spacing;

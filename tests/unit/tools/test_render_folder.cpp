@@ -5,14 +5,12 @@
 #include <stdexcept>
 
 #include "csv_table.hpp"
-#include "particle_file.hpp"
 #include "picture_file.hpp"
 #include "pictures.hpp"
 #include "run_curves.hpp"
 #include "scratch_folder.hpp"
 #include "slope/couple/read_case.hpp"
 #include "synthetic_run.hpp"
-#include "synthetic_slope.hpp"
 
 namespace slope::tools::test {
 namespace {
@@ -52,14 +50,6 @@ TEST(RunFolder, GivesTheStandardPictures) {
 TEST(RunFolder, DrawsTheFactorOfSafetyAndHowTheSlopeWouldFlow) {
   const ScratchFolder scratch;
   write_slope_run(scratch.path());
-  {
-    ParticleFileSeries series(scratch.path());
-    series.write(synthetic_slope(0.0), "start");
-    couple::ParticleTable flowing = synthetic_slope(300.0, 0.05, 0.7);
-    flowing.internal.push_back({"mechanism_speed", "-", flowing.deviatoric_strain});
-    flowing.internal.push_back({"mechanism_shear_strain", "-", flowing.deviatoric_strain});
-    series.write(flowing);
-  }
   RunFolder run = read_run_folder(scratch.path());
   run.summary->found.safety = {{0.0, 1.5, 1.4, 1.6, 5, 0.0, 0.0}, {300.0, 0.99, 0.98, 1.0, 4, 12.0, 1.5}};
   const PictureOptions options{scratch.path() / "figures", 400, {}, {}};
