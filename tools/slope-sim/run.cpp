@@ -93,14 +93,15 @@ class Run {
   ExitCode carry_out() {
     log_beginning();
     const bool goes_on = writer_.checkpoint() && started(*writer_.checkpoint());
-    if (goes_on && is_over() && !simulation_.asks_for_safety()) {
+    const bool over = goes_on && is_over();
+    if (over && !simulation_.asks_for_safety()) {
       progress_.say(fmt::format("{}: the run has come to its end already", writer_.folder().string()));
       return ExitCode::fine;
     }
     if (!writer_.checkpoint()) writer_.write_case(input_);
     try {
       if (goes_on ? resume() : start()) {
-        while (!is_over() && !advance()) {
+        while (!over && !advance()) {
         }
       }
     } catch (const couple::SimulationError& error) {
