@@ -8,7 +8,7 @@ programs=(unit/support/test_support unit/solid/test_solid unit/seepage/test_seep
 
 cmake --preset asan
 cmake --build --preset asan --target "${programs[@]##*/}"
-export ASAN_OPTIONS=detect_stack_use_after_return=1 UBSAN_OPTIONS=print_stacktrace=1 OMP_WAIT_POLICY=passive
+export ASAN_OPTIONS=detect_stack_use_after_return=1 UBSAN_OPTIONS=print_stacktrace=1
 for program in "${programs[@]}"; do
   shards=()
   for shard in 0 1; do

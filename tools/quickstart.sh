@@ -3,7 +3,6 @@
 # runs cases/paper/slope-w2.yaml and draws it.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
-export OMP_WAIT_POLICY=passive
 
 tools/setup-debian.sh
 cmake --preset release

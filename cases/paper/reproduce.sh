@@ -3,7 +3,6 @@
 # Usage: cases/paper/reproduce.sh [FOLDER]   (default: results/paper); needs the release build.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
-export OMP_WAIT_POLICY=passive
 results=${1:-results/paper}
 cases=(slope-w1 slope-w3 slope-h3 slope-h2 slope-w2 slope-h1 liakopoulos)
 

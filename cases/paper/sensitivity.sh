@@ -4,7 +4,6 @@
 # needs the release build. Takes the better part of an hour on two cores, most of it for the fine grid.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
-export OMP_WAIT_POLICY=passive
 results=${1:-results/sensitivity}
 slope_sim=build/release/bin/slope-sim
 

@@ -4,6 +4,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "for_each_index.hpp"
+
 namespace slope::seepage {
 
 namespace {
@@ -80,12 +82,14 @@ void CoupledStep::set_up(PoreFlow& flow, const Skeleton& skeleton, std::span<con
   const std::span<const double> pressure = flow.pressure(), saturation = flow.saturation();
   const std::span<const double> pressure_head = flow.pressure_head(), capacity = flow.capacity();
   const std::span<const double> defect = flow.state().defect;
-  for (std::size_t p = 0; p < n; ++p) head_[p] = pressure_head[p] + skeleton.y[p];
+  const int threads = flow.settings().threads;
+  for_each_index(
+      n, threads, [&](std::size_t p) { head_[p] = pressure_head[p] + skeleton.y[p]; }, few_products);
   flow.find_conductances(conductance_tolerance);
   flow.head_operator().apply(head_, flow_.outflow);
   response.diagonal(volume_change_);
   const std::span<const double> flow_diagonal = flow.head_operator().diagonal();
-  for (std::size_t p = 0; p < n; ++p) {
+  for_each_index(n, threads, [&](std::size_t p) {
     const double s = saturation[p];
     storage_slope_[p] = skeleton.volume[p] * skeleton.porosity[p] * (s / flow.water().bulk_modulus + capacity[p]);
     storage_offset_[p] = 0.0;
@@ -93,7 +97,7 @@ void CoupledStep::set_up(PoreFlow& flow, const Skeleton& skeleton, std::span<con
     stiffness_[p] = storage_slope_[p];
     right_side_[p] = -s * skeleton.volume[p] * strain[p] - time_step_ * flow_.outflow[p] + defect[p];
     diagonal_[p] = stiffness_[p] + flow_scale_ * flow_diagonal[p] + s * s * volume_change_[p];
-  }
+  });
   boundary_.find(boundary, flow, skeleton.y, head_);
   for (const BoundaryTerm& term : boundary_.terms()) {
     const std::size_t p = term.particle;
@@ -108,12 +112,15 @@ void CoupledStep::set_up(PoreFlow& flow, const Skeleton& skeleton, std::span<con
 void CoupledStep::apply_full(const PoreFlow& flow, const VolumeResponse& response, std::span<const double> in,
                              std::span<double> out) {
   const std::span<const double> saturation = flow.saturation();
+  const int threads = flow.settings().threads;
   flow.head_operator().apply(in, out);
-  for (std::size_t p = 0; p < in.size(); ++p) stress_[p] = saturation[p] * in[p];
+  for_each_index(
+      in.size(), threads, [&](std::size_t p) { stress_[p] = saturation[p] * in[p]; }, few_products);
   response.apply(stress_, volume_change_);
-  for (std::size_t p = 0; p < in.size(); ++p) {
-    out[p] = stiffness_[p] * in[p] + flow_scale_ * out[p] + saturation[p] * volume_change_[p];
-  }
+  for_each_index(
+      in.size(), threads,
+      [&](std::size_t p) { out[p] = stiffness_[p] * in[p] + flow_scale_ * out[p] + saturation[p] * volume_change_[p]; },
+      few_products);
 }
 
 // Puts the change of held pressures, which is known, on the right side.
@@ -220,10 +227,10 @@ void CoupledStep::finish(PoreFlow& flow, const Skeleton& skeleton) {
   solved_ = false;
   const double inverse_weight = 1.0 / flow.water().unit_weight();
   const std::span<const double> pressure = flow.pressure();
-  for (std::size_t p = 0; p < change_.size(); ++p) {
+  for_each_index(change_.size(), flow.settings().threads, [&](std::size_t p) {
     head_[p] += change_[p] * inverse_weight;
     pressure_[p] = pressure[p] + change_[p];
-  }
+  });
   flow.head_operator().apply(head_, flow_.outflow);
   boundary_.take_in(head_, flow_);
   flow.set_pressure(pressure_);

@@ -7,6 +7,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "for_each_index.hpp"
 #include "moment_correction.hpp"
 #include "moved_beyond.hpp"
 #include "require.hpp"
@@ -98,15 +99,14 @@ void HeadOperator::find_pair_factors() {
   conductance_.assign(factor_.size(), 0.0);
   diagonal_.resize(n);
   stale_.assign(n, 0);
-#pragma omp parallel for schedule(static) num_threads(threads_) if (threads_ > 1)
-  for (std::size_t p = 0; p < n; ++p) {
+  for_each_index(n, threads_, [&](std::size_t p) {
     std::size_t s = neighbours_.start[p];
     for (const Image& image : images_.of(p)) {
       if (image.particle == p) break;
       while (neighbours_.index[s] != image.particle) ++s;
       factor_[s] += 2.0 * state_.volume[p] * image.weight * correction(p, image);
     }
-  }
+  });
 }
 
 // Of a pair the particle that comes first in the order of all finds it after its own place, the other before.
@@ -183,16 +183,15 @@ void HeadOperator::set_conductivity(std::span<const double> conductivity) {
 }
 
 void HeadOperator::find_conductances() {
-#pragma omp parallel for schedule(static) num_threads(threads_) if (threads_ > 1)
-  for (std::size_t k = 0; k < seams_.size(); ++k) {
+  for_each_index(seams_.size(), threads_, [&](std::size_t k) {
     const Seam& seam = seams_[k];
-    if ((stale_[seam.first] | stale_[seam.second]) == 0) continue;
+    if ((stale_[seam.first] | stale_[seam.second]) == 0) return;
     const SeamMean mean = seam_mean(first_leg(seam), second_leg(seam), state_.seam_pressure_head[k]);
     state_.seam_conductivity[k] = mean.conductivity;
     state_.seam_pressure_head[k] = mean.pressure_head;
     state_.seam_reach[k] = mean.first_reach;
     set_conductance(seam.place, seam.factor * mean.conductivity);
-  }
+  });
   find_stale([this](std::size_t p, std::size_t q) { return mean_in_soil(p, q); });
 }
 
@@ -202,19 +201,17 @@ template <class Mean>
 void HeadOperator::find_stale(const Mean& mean) {
   const std::size_t n = diagonal_.size();
   if (std::ranges::find(stale_, 1) == stale_.end()) return;
-#pragma omp parallel for schedule(static) num_threads(threads_) if (threads_ > 1)
-  for (std::size_t p = 0; p < n; ++p) {
+  for_each_index(n, threads_, [&](std::size_t p) {
     for (std::size_t s = after_[p]; s < neighbours_.start[p + 1]; ++s) {
       const std::size_t q = neighbours_.index[s];
       if ((stale_[p] | stale_[q]) != 0 && factor_[s] != 0.0) set_conductance(s, factor_[s] * mean(p, q));
     }
-  }
-#pragma omp parallel for schedule(static) num_threads(threads_) if (threads_ > 1)
-  for (std::size_t p = 0; p < n; ++p) {
+  });
+  for_each_index(n, threads_, [&](std::size_t p) {
     double sum = 0.0;
     for (std::size_t s = neighbours_.start[p]; s < neighbours_.start[p + 1]; ++s) sum += conductance_[s];
     diagonal_[p] = sum;
-  }
+  });
   std::ranges::fill(stale_, std::uint8_t{0});
 }
 
@@ -233,8 +230,7 @@ double HeadOperator::flow_slope(std::size_t p, std::size_t s, double slope, doub
 }
 
 void HeadOperator::apply(std::span<const double> head, std::span<double> outflow) const {
-#pragma omp parallel for schedule(static) num_threads(threads_) if (threads_ > 1)
-  for (std::size_t p = 0; p < diagonal_.size(); ++p) {
+  for_each_index(diagonal_.size(), threads_, [&](std::size_t p) {
     const double here = head[p];
     // four sums, so that one addition need not wait for another
     std::array<double, 4> sum{};
@@ -245,13 +241,12 @@ void HeadOperator::apply(std::span<const double> head, std::span<double> outflow
     }
     for (; s < end; ++s) sum[0] += conductance_[s] * (here - head[neighbours_.index[s]]);
     outflow[p] = (sum[0] + sum[1]) + (sum[2] + sum[3]);
-  }
+  });
 }
 
 void HeadOperator::gradient(std::span<const double> field, const Skeleton& skeleton, std::span<double> dx,
                             std::span<double> dy) const {
-#pragma omp parallel for schedule(static) num_threads(threads_) if (threads_ > 1)
-  for (std::size_t p = 0; p < skeleton.size(); ++p) {
+  for_each_index(skeleton.size(), threads_, [&](std::size_t p) {
     double xx = 0.0, xy = 0.0, yy = 0.0, gx = 0.0, gy = 0.0;
     for (const Image& q : images_.of(p)) {
       const double second = q.weight * q.r * q.r;
@@ -266,7 +261,7 @@ void HeadOperator::gradient(std::span<const double> field, const Skeleton& skele
     const bool regular = determinant > 1.0e-8 * (xx + yy) * (xx + yy);
     dx[p] = regular ? (yy * gx - xy * gy) / determinant : 0.0;
     dy[p] = regular ? (xx * gy - xy * gx) / determinant : 0.0;
-  }
+  });
 }
 
 }  // namespace slope::seepage

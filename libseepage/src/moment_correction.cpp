@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "for_each_index.hpp"
 #include "slope/seepage/conjugate_gradients.hpp"
 
 namespace slope::seepage {
@@ -143,28 +144,23 @@ MomentCorrection::Vector MomentCorrection::surface_of(std::size_t p, double spac
 // Which particles are the outermost, and the first moments wanted.
 void MomentCorrection::find_surface(std::span<const double> volume, const WendlandC2& kernel, double spacing) {
   const double flat = flat_asymmetry(kernel, spacing);
-#pragma omp parallel num_threads(threads_) if (threads_ > 1)
-  {
-    std::vector<Arc> covered;
-#pragma omp for schedule(static)
-    for (std::size_t p = 0; p < images_.size(); ++p) {
-      Vector asymmetry{0.0, 0.0};
-      for (const Image& q : images_.of(p)) {
-        const double near = nearness(q.r, kernel.support()) * q.r;
-        asymmetry.x += near * q.ex;
-        asymmetry.y += near * q.ey;
-      }
-      at_surface_[p] = ramp(std::hypot(asymmetry.x, asymmetry.y) / flat, surface_begins, surface_full);
-      const Vector surface = surface_of(p, spacing, covered);
-      first_moment_[p] = {0.5 * surface.x / volume[p], 0.5 * surface.y / volume[p]};
+  for_each_index(images_.size(), threads_, [&](std::size_t p) {
+    thread_local std::vector<Arc> covered;
+    Vector asymmetry{0.0, 0.0};
+    for (const Image& q : images_.of(p)) {
+      const double near = nearness(q.r, kernel.support()) * q.r;
+      asymmetry.x += near * q.ex;
+      asymmetry.y += near * q.ey;
     }
-  }
+    at_surface_[p] = ramp(std::hypot(asymmetry.x, asymmetry.y) / flat, surface_begins, surface_full);
+    const Vector surface = surface_of(p, spacing, covered);
+    first_moment_[p] = {0.5 * surface.x / volume[p], 0.5 * surface.y / volume[p]};
+  });
 }
 
 // In reach of a flat surface only the direction along it is left, in reach of two none.
 void MomentCorrection::find_surface_layer() {
-#pragma omp parallel for schedule(static) num_threads(threads_) if (threads_ > 1)
-  for (std::size_t p = 0; p < images_.size(); ++p) {
+  for_each_index(images_.size(), threads_, [&](std::size_t p) {
     Tensor normals{0.0, 0.0, 0.0};
     double strength = 0.0;
     const auto add = [&](std::size_t q, double parity) {
@@ -178,7 +174,7 @@ void MomentCorrection::find_surface_layer() {
     add(p, 1.0);
     for (const Image& q : images_.of(p)) add(q.particle, q.flip_x * q.flip_y);
     free_of_[p] = {1.0, 0.0, 1.0};
-    if (strength == 0.0) continue;
+    if (strength == 0.0) return;
     const double mean = 0.5 * (normals.xx + normals.yy), half = 0.5 * (normals.xx - normals.yy);
     const double radius = std::hypot(half, normals.xy);
     const double second = strength * std::min(1.0, corner_reach * (mean - radius) / (mean + radius));
@@ -186,14 +182,13 @@ void MomentCorrection::find_surface_layer() {
     const double c = radius > 0.0 ? half / radius : 1.0, s = radius > 0.0 ? normals.xy / radius : 0.0;
     const double across = 0.5 * (second - strength), rest = 1.0 - second;
     free_of_[p] = {rest + across * (1.0 + c), across * s, rest + across * (1.0 - c)};
-  }
+  });
 }
 
 // In the basis (xx, sqrt(2) xy, yy) the map from a tensor to the moment that it makes is symmetric; it is inverted
 // once.
 void MomentCorrection::find_responses() {
-#pragma omp parallel for schedule(static) num_threads(threads_) if (threads_ > 1)
-  for (std::size_t p = 0; p < images_.size(); ++p) {
+  for_each_index(images_.size(), threads_, [&](std::size_t p) {
     Eigen::Matrix3d map = Eigen::Matrix3d::Zero();
     for (const Image& q : images_.of(p)) {
       const double xx = q.ex * q.ex, xy = root_two * q.ex * q.ey, yy = q.ey * q.ey;
@@ -208,19 +203,18 @@ void MomentCorrection::find_responses() {
     const double size = map.trace();
     if (!(size > 0.0)) {
       response_[p].setZero();
-      continue;
+      return;
     }
     map(0, 1) = map(1, 0);
     map(0, 2) = map(2, 0);
     map(1, 2) = map(2, 1);
     map.diagonal().array() += 1.0e-3 * size;  // neighbours in one line determine one component only
     response_[p] = map.inverse();
-  }
+  });
 }
 
 void MomentCorrection::sweep_second_moments(const std::vector<Tensor>& old) {
-#pragma omp parallel for schedule(static) num_threads(threads_) if (threads_ > 1)
-  for (std::size_t p = 0; p < images_.size(); ++p) {
+  for_each_index(images_.size(), threads_, [&](std::size_t p) {
     double xx = 1.0, xy = 0.0, yy = 1.0;  // lack of the second moment
     for (const Image& q : images_.of(p)) {
       const double weight = q.weight * q.r * q.r * (even_part(old, p, q) + odd_part(p, q));
@@ -234,7 +228,7 @@ void MomentCorrection::sweep_second_moments(const std::vector<Tensor>& old) {
     lack = projector * lack * projector;
     const Eigen::Vector3d change = response_[p] * Eigen::Vector3d(lack(0, 0), root_two * lack(1, 0), lack(1, 1));
     tensor_[p] = {old[p].xx + change[0], old[p].xy + change[1] / root_two, old[p].yy + change[2]};
-  }
+  });
 }
 
 // The vectors solve sum_q V_p w_pq r (a_p - a_q).e = V_p (wanted - first moment of the even part), a symmetric system
@@ -243,8 +237,7 @@ void MomentCorrection::sweep_second_moments(const std::vector<Tensor>& old) {
 void MomentCorrection::correct_first_moments(std::span<const double> volume) {
   const std::size_t n = images_.size();
   std::vector<double> lack(2 * n), diagonal(2 * n);
-#pragma omp parallel for schedule(static) num_threads(threads_) if (threads_ > 1)
-  for (std::size_t p = 0; p < n; ++p) {
+  for_each_index(n, threads_, [&](std::size_t p) {
     Vector first = first_moment_[p], own{0.0, 0.0};
     for (const Image& q : images_.of(p)) {
       const double w = q.weight * q.r, weight = w * even_part(tensor_, p, q);
@@ -258,11 +251,10 @@ void MomentCorrection::correct_first_moments(std::span<const double> volume) {
     // a particle without neighbours keeps its zero
     diagonal[2 * p] = own.x > 0.0 ? volume[p] * own.x : 1.0;
     diagonal[2 * p + 1] = own.y > 0.0 ? volume[p] * own.y : 1.0;
-  }
+  });
   const double stiffening = 1.0e-4;  // a net that floats freely has no unique solution
   const auto apply = [&](std::span<const double> in, std::span<double> out) {
-#pragma omp parallel for schedule(static) num_threads(threads_) if (threads_ > 1)
-    for (std::size_t p = 0; p < n; ++p) {
+    for_each_index(n, threads_, [&](std::size_t p) {
       const double x = in[2 * p], y = in[2 * p + 1];
       double sum_x = 0.0, sum_y = 0.0;
       for (const Image& q : images_.of(p)) {
@@ -273,7 +265,7 @@ void MomentCorrection::correct_first_moments(std::span<const double> volume) {
       }
       out[2 * p] = volume[p] * sum_x + stiffening * diagonal[2 * p] * x;
       out[2 * p + 1] = volume[p] * sum_y + stiffening * diagonal[2 * p + 1] * y;
-    }
+    });
   };
   ConjugateGradients solver;
   solver.solve(apply, diagonal, lack, vector_, 1.0e-3, first_moment_iterations, threads_);

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "for_each_index.hpp"
+
 namespace slope::seepage {
 
 namespace {
@@ -64,23 +66,21 @@ Neighbours find_neighbours(std::span<const double> x, std::span<const double> y,
     const double dx = x[p] - x[q], dy = y[p] - y[q];
     return q != p && dx * dx + dy * dy < squared;
   };
-#pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)
-  for (std::size_t p = 0; p < n; ++p) {
+  for_each_index(n, threads, [&](std::size_t p) {
     std::size_t count = 0;
     bins.visit_around(p, [&](std::uint32_t q) { count += near(p, q) ? 1 : 0; });
     result.start[p + 1] = count;
-  }
+  });
   for (std::size_t p = 0; p < n; ++p) result.start[p + 1] += result.start[p];
   result.index.resize(result.start[n]);
-#pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)
-  for (std::size_t p = 0; p < n; ++p) {
+  for_each_index(n, threads, [&](std::size_t p) {
     std::size_t s = result.start[p];
     bins.visit_around(p, [&](std::uint32_t q) {
       if (near(p, q)) result.index[s++] = q;
     });
     std::sort(result.index.begin() + static_cast<std::ptrdiff_t>(result.start[p]),
               result.index.begin() + static_cast<std::ptrdiff_t>(s));
-  }
+  });
   return result;
 }
 

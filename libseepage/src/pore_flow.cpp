@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "for_each_index.hpp"
 #include "require.hpp"
 
 namespace slope::seepage {
@@ -86,8 +87,8 @@ void PoreFlow::for_each_particle(const Visit& visit) const {
     const std::vector<std::uint32_t>& members = particles_of_soil_[k];
     std::visit(
         [&](const auto& retention, const auto& permeability) {
-#pragma omp parallel for schedule(static) num_threads(settings_.threads) if (settings_.threads > 1)
-          for (std::size_t i = 0; i < members.size(); ++i) visit(members[i], k, retention, permeability);
+          for_each_index(members.size(), settings_.threads,
+                         [&](std::size_t i) { visit(members[i], k, retention, permeability); });
         },
         soils_[k].retention, soils_[k].relative_permeability.law);
   }
@@ -179,12 +180,12 @@ void PoreFlow::book(double time_step, const Skeleton& skeleton, const StepFlow& 
   assert(flow.wetting.size() == size() && flow.full.size() == size());
   state_.inflow_rate = flow.inflow_rate;
   state_.air_flow = flow.air_flow;
-  for (std::size_t p = 0; p < size(); ++p) {
+  for_each_index(size(), settings_.threads, [&](std::size_t p) {
     const double content = water_of(p, skeleton);
     follow_front(p, content - state_.content[p], time_step, flow);
     state_.defect[p] += state_.content[p] - content - time_step * flow.outflow[p];
     state_.content[p] = content;
-  }
+  });
   for (const HeldPressure& given : held) {
     assert(given.particle < size() && given.boundary < state_.inflow_rate.size());
     state_.inflow_rate[given.boundary] -= state_.defect[given.particle] / time_step;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "slope/solid/material_point_method.hpp"
+#include "threads.hpp"
 
 namespace slope::solid {
 
@@ -10,10 +11,11 @@ template <class Visit>
 void MaterialPointMethod::for_each_in_bands(const std::vector<std::size_t>& bands, const Visit& visit) const {
   const std::size_t count = bands.size() - 1;
   for (std::size_t parity = 0; parity < 2; ++parity) {
-#pragma omp parallel for schedule(dynamic) num_threads(settings_.threads) if (settings_.threads > 1)
-    for (std::size_t band = parity; band < count; band += 2) {
+    const std::size_t parts = (count + 1 - parity) / 2;
+    share_out(parts, settings_.threads, [&](std::size_t part) {
+      const std::size_t band = 2 * part + parity;
       for (std::size_t k = bands[band]; k < bands[band + 1]; ++k) visit(k);
-    }
+    });
   }
 }
 
@@ -21,6 +23,17 @@ void MaterialPointMethod::for_each_in_bands(const std::vector<std::size_t>& band
 template <class Visit>
 void MaterialPointMethod::for_each_cell(const Visit& visit) const {
   for_each_in_bands(bands_, visit);
+}
+
+// Whether the grid holds a coordinate of a particle.
+inline bool MaterialPointMethod::holds_x_of(std::size_t p) const {
+  const double place = (state_.particles.x[p] - grid_.lower[0]) * (1.0 / grid_.cell_size);
+  return place >= 0.0 && place < grid_.columns;
+}
+
+inline bool MaterialPointMethod::holds_y_of(std::size_t p) const {
+  const double place = (state_.particles.y[p] - grid_.lower[1]) * (1.0 / grid_.cell_size);
+  return place >= 0.0 && place < grid_.rows;
 }
 
 }  // namespace slope::solid

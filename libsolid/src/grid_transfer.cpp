@@ -1,10 +1,12 @@
 // Particles to grid and back (paper, Eq. 17).
 
 #include <algorithm>
+#include <atomic>
 #include <utility>
 
 #include "cells.hpp"
 #include "slope/solid/shape_function.hpp"
+#include "threads.hpp"
 
 namespace slope::solid {
 
@@ -13,16 +15,13 @@ void MaterialPointMethod::find_weights() {
   const double h = grid_.cell_size;
   const double inverse = 1.0 / h;
   const std::size_t n = state_.particles.size();
-  std::size_t outside = n;
-#pragma omp parallel for schedule(static) num_threads(settings_.threads) if (settings_.threads > 1) \
-    reduction(min                                                                                   \
-              : outside)
-  for (std::size_t p = 0; p < n; ++p) {
+  std::atomic<bool> all_inside = true;
+  for_each_index(n, settings_.threads, [&](std::size_t p) {
     const double px = (state_.particles.x[p] - grid_.lower[0]) * inverse;
     const double py = (state_.particles.y[p] - grid_.lower[1]) * inverse;
     if (!(px >= 0.0 && px < grid_.columns && py >= 0.0 && py < grid_.rows)) {
-      outside = std::min(outside, p);
-      continue;
+      all_inside = false;
+      return;
     }
     const AxisWeights x = Shape::weights(px, inverse);
     const AxisWeights y = Shape::weights(py, inverse);
@@ -41,8 +40,11 @@ void MaterialPointMethod::find_weights() {
     hat_weights_[p] = {grid_.node(column, row),
                        {(1.0 - right) * (1.0 - up), right * (1.0 - up), (1.0 - right) * up, right * up}};
     grid_cell_of_[p] = std::size_t(row) * std::size_t(grid_.columns) + std::size_t(column);
+  });
+  if (all_inside) return;
+  for (std::size_t p = 0; p < n; ++p) {
+    if (!holds_x_of(p) || !holds_y_of(p)) refuse_place(p);
   }
-  if (outside != n) refuse_place(outside);
 }
 
 template void MaterialPointMethod::find_weights<QuadraticBSpline>();
@@ -220,8 +222,7 @@ void MaterialPointMethod::gather(double dt, const StepMode& mode) {
   const bool linear = settings_.shape_function == ShapeFunction::linear;
   const double flip = settings_.flip_fraction;
   Particles& f = state_.particles;
-#pragma omp parallel for schedule(static) num_threads(settings_.threads) if (settings_.threads > 1)
-  for (std::size_t p = 0; p < f.size(); ++p) {
+  for_each_index(f.size(), settings_.threads, [&](std::size_t p) {
     const ParticleWeights& w = weights_[p];
     Moments after, before;
     Array2d gradient_x = Array2d::Zero(), gradient_y = Array2d::Zero();
@@ -265,7 +266,7 @@ void MaterialPointMethod::gather(double dt, const StepMode& mode) {
       f.ux[p] += dt * after.value.x();
       f.uy[p] += dt * after.value.y();
     }
-  }
+  });
 }
 
 template void MaterialPointMethod::gather<MaterialPointMethod::Transfer::flip>(double, const StepMode&);
@@ -294,8 +295,7 @@ void MaterialPointMethod::remap_velocity() {
   for (std::size_t i = 0; i < node_.size(); ++i) {
     velocity_[i] = (response_[i] > 0.0).select(velocity_[i] / node_[i].mass, 0.0);
   }
-#pragma omp parallel for schedule(static) num_threads(settings_.threads) if (settings_.threads > 1)
-  for (std::size_t p = 0; p < state_.particles.size(); ++p) {
+  for_each_index(state_.particles.size(), settings_.threads, [&](std::size_t p) {
     const ParticleWeights& w = weights_[p];
     const Array2d* v = velocity_.data() + w.node;
     const Array2d* above = v + columns;
@@ -308,7 +308,7 @@ void MaterialPointMethod::remap_velocity() {
       state_.particles.cxy[p] = y.x();
       state_.particles.cyy[p] = y.y();
     }
-  }
+  });
 }
 
 }  // namespace slope::solid

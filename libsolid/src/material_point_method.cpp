@@ -1,12 +1,15 @@
 #include "slope/solid/material_point_method.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <string_view>
 #include <utility>
 
+#include "cells.hpp"
 #include "pair.hpp"
 #include "slope/solid/shape_function.hpp"
+#include "threads.hpp"
 
 namespace slope::solid {
 
@@ -190,16 +193,6 @@ void MaterialPointMethod::forget_losses() {
   state_.particles.for_each_loss(to_zero);
 }
 
-bool MaterialPointMethod::holds_x_of(std::size_t p) const {
-  const double place = (state_.particles.x[p] - grid_.lower[0]) * (1.0 / grid_.cell_size);
-  return place >= 0.0 && place < grid_.columns;
-}
-
-bool MaterialPointMethod::holds_y_of(std::size_t p) const {
-  const double place = (state_.particles.y[p] - grid_.lower[1]) * (1.0 / grid_.cell_size);
-  return place >= 0.0 && place < grid_.rows;
-}
-
 void MaterialPointMethod::refuse_place(std::size_t p) const {
   if (!holds_x_of(p)) throw SolidError(p, "x position (m), outside of the grid,", state_.particles.x[p]);
   throw SolidError(p, "y position (m), outside of the grid,", state_.particles.y[p]);
@@ -211,12 +204,11 @@ void MaterialPointMethod::check() const {
   const auto velocity = [&f](std::size_t p) { return f.vx[p] + f.vy[p]; };
   const auto stress = [&f](std::size_t p) { return f.sxx[p] + f.syy[p] + f.szz[p] + f.sxy[p]; };
   const auto inside = [this](std::size_t p) { return holds_x_of(p) && holds_y_of(p); };
-  std::size_t bad = 0;
-#pragma omp parallel for schedule(static) num_threads(settings_.threads) if (settings_.threads > 1) reduction(+ : bad)
-  for (std::size_t p = 0; p < n; ++p) {
-    if (!std::isfinite(velocity(p) + stress(p)) || !(f.volume[p] > 0.0) || !inside(p)) ++bad;
-  }
-  if (bad == 0) return;
+  std::atomic<bool> good = true;
+  for_each_index(n, settings_.threads, [&](std::size_t p) {
+    if (!std::isfinite(velocity(p) + stress(p)) || !(f.volume[p] > 0.0) || !inside(p)) good = false;
+  });
+  if (good) return;
   // what comes first in the step is nearest to the cause
   for (std::size_t p = 0; p < n; ++p) {
     if (!std::isfinite(velocity(p))) throw SolidError(p, "velocity (m/s)", velocity(p));

@@ -5,6 +5,8 @@
 #include <algorithm>
 
 #include "cells.hpp"
+#include "hats.hpp"
+#include "threads.hpp"
 
 namespace slope::solid {
 
@@ -74,13 +76,12 @@ void MaterialPointMethod::find_hats() {
       }
     }
   });
-#pragma omp parallel for schedule(static) num_threads(settings_.threads) if (settings_.threads > 1)
-  for (std::size_t k = 0; k < hats_.size(); ++k) {
+  for_each_index(hats_.size(), settings_.threads, [&](std::size_t k) {
     Hat& hat = hats_[k];
     fold_walls(hat);
     const double share = hat.volume > 0.0 ? 1.0 / hat.volume : 0.0;
     for (Eigen::Array2d& node : hat.gradient) node *= share;
-  }
+  });
 }
 
 // hat_value_ = N^T V q.
@@ -121,28 +122,19 @@ void MaterialPointMethod::find_pressure_force(std::span<const double> q) const {
 // hat_value_ = (1 / M_n) B_n . v, the divergence of a grid velocity averaged over each hat.
 void MaterialPointMethod::find_hat_divergence(const std::vector<Eigen::Array2d>& velocity) const {
   const std::size_t columns = std::size_t(grid_.node_columns());
-#pragma omp parallel for schedule(static) num_threads(settings_.threads) if (settings_.threads > 1)
-  for (std::size_t k = 0; k < hats_.size(); ++k) {
+  for_each_index(hats_.size(), settings_.threads, [&](std::size_t k) {
     const Hat& hat = hats_[k];
     const Eigen::Array2d* gradient = hat.gradient.data();
     const Eigen::Array2d* v = velocity.data() + hat.first;
     FiveNodes sum = FiveNodes::Zero();
     for (std::size_t b = 0; b < 5; ++b, v += columns, gradient += 5) sum += five_nodes(v) * five_nodes(gradient);
     hat_value_[hat.node] = sum.sum();
-  }
-}
-
-// What the values at the nodes of the hats are at a particle.
-double MaterialPointMethod::from_hats(std::size_t p) const {
-  const HatWeights& w = hat_weights_[p];
-  const double* lower = hat_value_.data() + w.corner;
-  const double* upper = lower + grid_.node_columns();
-  return w.value[0] * lower[0] + w.value[1] * lower[1] + w.value[2] * upper[0] + w.value[3] * upper[1];
+  });
 }
 
 void MaterialPointMethod::volumetric_strain(double dt, std::span<double> strain) const {
   find_hat_divergence(velocity_);
-  for (std::size_t p = 0; p < strain.size(); ++p) strain[p] = dt * from_hats(p);
+  for_each_index(strain.size(), settings_.threads, [&](std::size_t p) { strain[p] = dt * from_hats(p); });
 }
 
 void MaterialPointMethod::volume_response(double dt, std::span<const double> q, std::span<double> volume_change) const {
@@ -150,16 +142,15 @@ void MaterialPointMethod::volume_response(double dt, std::span<const double> q, 
   respond(pressure_force_);
   find_hat_divergence(pressure_force_);
   const double scale = dt * dt;
-#pragma omp parallel for schedule(static) num_threads(settings_.threads) if (settings_.threads > 1)
-  for (std::size_t p = 0; p < volume_change.size(); ++p) {
-    volume_change[p] = scale * state_.particles.volume[p] * from_hats(p);
-  }
+  for_each_index(volume_change.size(), settings_.threads,
+                 [&](std::size_t p) { volume_change[p] = scale * state_.particles.volume[p] * from_hats(p); });
 }
 
 // By convexity the mean over the four hats of a particle of what each alone would answer is no less than the diagonal.
 void MaterialPointMethod::volume_response_diagonal(double dt, std::span<double> diagonal) const {
   const std::size_t columns = std::size_t(grid_.node_columns());
-  for (const Hat& hat : hats_) {
+  for_each_index(hats_.size(), settings_.threads, [&](std::size_t k) {
+    const Hat& hat = hats_[k];
     const Eigen::Array2d* gradient = hat.gradient.data();
     const Eigen::Array2d* response = response_.data() + hat.first;
     FiveNodes sum = FiveNodes::Zero();
@@ -167,10 +158,10 @@ void MaterialPointMethod::volume_response_diagonal(double dt, std::span<double> 
       sum += five_nodes(gradient).square() * five_nodes(response);
     }
     hat_value_[hat.node] = dt * dt * sum.sum();
-  }
-  for (std::size_t p = 0; p < diagonal.size(); ++p) {
+  });
+  for_each_index(diagonal.size(), settings_.threads, [&](std::size_t p) {
     diagonal[p] = state_.particles.volume[p] * state_.particles.volume[p] * from_hats(p);
-  }
+  });
 }
 
 void MaterialPointMethod::correct(double dt, std::span<const double> q) {

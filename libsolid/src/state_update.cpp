@@ -3,7 +3,9 @@
 
 #include <algorithm>
 
+#include "hats.hpp"
 #include "slope/solid/material_point_method.hpp"
+#include "threads.hpp"
 
 namespace slope::solid {
 
@@ -70,10 +72,9 @@ void MaterialPointMethod::update_with_state(double dt, std::span<const double> s
   Particles& all = state_.particles;
   const bool beside_dilation = shares_dilation_ && mode.yields;
   if (beside_dilation) find_hat_divergence(velocity_);
-#pragma omp parallel for schedule(static) num_threads(settings_.threads) if (settings_.threads > 1)
-  for (std::size_t p = 0; p < all.size(); ++p) {
+  for_each_index(all.size(), settings_.threads, [&](std::size_t p) {
     const Material& material = materials_[all.soil[p]];
-    if (!material.has_state) continue;
+    if (!material.has_state) return;
     const auto [vx_x, vx_y, vy_x, vy_y] = velocity_gradient_[p];
     const double volumetric = dt * (settings_.averages_pressure ? from_hats(p) : vx_x + vy_y);
     const double shared = beside_dilation ? dilation_[p] : 0.0;
@@ -92,7 +93,7 @@ void MaterialPointMethod::update_with_state(double dt, std::span<const double> s
     all.syy[p] = stress.yy;
     all.szz[p] = stress.zz;
     all.sxy[p] = stress.xy;
-  }
+  });
 }
 
 }  // namespace slope::solid

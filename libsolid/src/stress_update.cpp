@@ -1,6 +1,8 @@
 // Strain, volume, porosity and effective stress of the particles.
 
+#include "hats.hpp"
 #include "slope/solid/material_point_method.hpp"
+#include "threads.hpp"
 
 namespace slope::solid {
 
@@ -77,8 +79,7 @@ void MaterialPointMethod::update_stress(double dt, std::span<const double> sucti
 
 template <bool shares_dilation>
 void MaterialPointMethod::strain_particles(double dt, std::span<const double> suction, const StepMode& mode) {
-#pragma omp parallel for schedule(static) num_threads(settings_.threads) if (settings_.threads > 1)
-  for (std::size_t p = 0; p < state_.particles.size(); ++p) {
+  for_each_index(state_.particles.size(), settings_.threads, [&](std::size_t p) {
     const Material& material = materials_[state_.particles.soil[p]];
     const auto [vx_x, vx_y, vy_x, vy_y] = velocity_gradient_[p];
     const double dxx = dt * vx_x;
@@ -113,7 +114,7 @@ void MaterialPointMethod::strain_particles(double dt, std::span<const double> su
                                 material.elastic, stress};
         dilation_[p] = std::visit(dilating, material.strength);
       }
-      continue;
+      return;
     }
     if (mode.yields) {
       const SymmetricTensor trial = stress;
@@ -127,7 +128,7 @@ void MaterialPointMethod::strain_particles(double dt, std::span<const double> su
     state_.particles.syy[p] = stress.yy;
     state_.particles.szz[p] = stress.zz;
     state_.particles.sxy[p] = stress.xy;
-  }
+  });
 }
 
 // Each particle meets the volume change of the plastic flow around it in its mean stress, and then yields by shear.
@@ -136,8 +137,7 @@ void MaterialPointMethod::yield_with_shared_dilation(std::span<const double> suc
   for (const Hat& hat : hats_) {
     if (hat.volume > 0.0) hat_value_[hat.node] /= hat.volume;
   }
-#pragma omp parallel for schedule(static) num_threads(settings_.threads) if (settings_.threads > 1)
-  for (std::size_t p = 0; p < state_.particles.size(); ++p) {
+  for_each_index(state_.particles.size(), settings_.threads, [&](std::size_t p) {
     const Material& material = materials_[state_.particles.soil[p]];
     dilation_[p] = from_hats(p);
     const double lost = material.bulk * dilation_[p];
@@ -153,7 +153,7 @@ void MaterialPointMethod::yield_with_shared_dilation(std::span<const double> suc
     state_.particles.syy[p] = stress.yy;
     state_.particles.szz[p] = stress.zz;
     state_.particles.sxy[p] = stress.xy;
-  }
+  });
 }
 
 }  // namespace slope::solid

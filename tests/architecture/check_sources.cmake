@@ -25,8 +25,8 @@ foreach(library IN ITEMS libsolid libseepage libcouple)
   forbid("${ROOT}/${library}/*.[ch]pp" "#include *[<\"](vtk|CLI/)" "VTK and CLI11 live in tools")
   forbid("${ROOT}/${library}/*.[ch]pp" "std::(cout|cerr|clog|print)|(^|[^a-z_])f?(printf|puts) *\\(|<iostream>|fmt::print"
     "libraries print nothing")
-  forbid("${ROOT}/${library}/include/*.hpp" "#include *[<\"](fmt/|yaml-cpp/|omp\\.h)|YAML::|fmt::"
-    "fmt, yaml-cpp and OpenMP stay out of public headers")
+  forbid("${ROOT}/${library}/include/*.hpp" "#include *[<\"](fmt/|yaml-cpp/|tbb/)|YAML::|fmt::"
+    "fmt, yaml-cpp and TBB stay out of public headers")
 endforeach()
 foreach(library IN ITEMS libsolid libseepage)
   forbid("${ROOT}/${library}/*.[ch]pp" "#include *[<\"](fmt/|yaml-cpp/)" "fmt and yaml-cpp are private to libcouple")

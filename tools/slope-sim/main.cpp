@@ -1,11 +1,8 @@
 #include <fmt/format.h>
-#include <stdlib.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <exception>
 #include <new>
 #include <stdexcept>
@@ -65,15 +62,6 @@ void add_running(CLI::App& command, slope::tools::RunOptions& options) {
 ExitCode fail(const std::exception& error, ExitCode code) {
   std::fprintf(stderr, "%s\n", error.what());
   return code;
-}
-
-/// OpenMP reads how its threads wait for each other when the program is loaded. Spinning, they hinder each other
-/// wherever cores are fewer than threads: the program starts itself anew with waiting asked for, unless the user has
-/// chosen.
-void wait_without_spinning(char** arguments) {
-  if (std::getenv("OMP_WAIT_POLICY") != nullptr) return;
-  setenv("OMP_WAIT_POLICY", "passive", 0);
-  execv("/proc/self/exe", arguments);  // returns only if that is impossible: then they spin
 }
 
 /// Of the commands that make a file, or print what one should hold.
@@ -160,7 +148,6 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : static_cast<int>(ExitCode::bad_input);
   }
-  if (options.threads > 1) wait_without_spinning(argv);
   options.case_file = case_file;
   options.folder = folder;
   if (overwrites) options.earlier = slope::tools::EarlierRun::overwrite;

@@ -12,7 +12,7 @@ namespace {
 TEST(BlockedDot, DoesNotDependOnTheThreads) {
   std::mt19937 random(5);
   std::normal_distribution<double> normal;
-  for (const std::size_t n : {0u, 1u, 5u, 1023u, 1024u, 1025u, 10000u}) {
+  for (const std::size_t n : {0u, 1u, 5u, 1023u, 1024u, 1025u, 40000u}) {
     std::vector<double> a(n), b(n);
     for (double& v : a) v = normal(random);
     for (double& v : b) v = normal(random);
@@ -20,6 +20,28 @@ TEST(BlockedDot, DoesNotDependOnTheThreads) {
     EXPECT_NEAR(one, std::inner_product(a.begin(), a.end(), b.begin(), 0.0), 1e-10);
     for (const int threads : {2, 3}) EXPECT_EQ(blocked_dot(a, b, threads), one) << n << " entries";
   }
+}
+
+TEST(ConjugateGradients, DoNotDependOnTheThreads) {
+  constexpr std::size_t n = 40000;
+  const auto apply = [](std::span<const double> in, std::span<double> out) {
+    for (std::size_t i = 0; i < n; ++i) {
+      out[i] = 3.0 * in[i] - (i > 0 ? in[i - 1] : 0.0) - (i + 1 < n ? in[i + 1] : 0.0);
+    }
+  };
+  std::mt19937 random(9);
+  std::normal_distribution<double> normal;
+  std::vector<double> b(n);
+  for (double& v : b) v = normal(random);
+  const auto solution = [&](int threads) {
+    std::vector<double> x(n, 0.0);
+    ConjugateGradients solver;
+    EXPECT_TRUE(solver.solve(apply, std::vector<double>(n, 3.0), b, x, 1.0e-8, 100, threads).converged);
+    return x;
+  };
+  const std::vector<double> one = solution(1);
+  EXPECT_EQ(solution(2), one);
+  EXPECT_EQ(solution(3), one);
 }
 
 class RandomSystem : public ::testing::Test {

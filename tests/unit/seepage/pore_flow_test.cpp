@@ -321,16 +321,21 @@ TEST_F(Column, AStepThatFailsChangesNothing) {
   EXPECT_EQ(water_flow.unexplained_water(), 0.0);
 }
 
+// As many particles as threads share the products of conjugate gradients of.
 TEST_F(Column, DoesNotDependOnTheThreads) {
-  PoreFlow one = flow(1), two = flow(2);
+  particles = lattice(150, 120, spacing, 0.1);
   const std::vector<double> strain(particles.size(), 1.0e-7);
-  for (auto* water_flow : {&one, &two}) {
-    for (int step = 0; step < 5; ++step) {
-      coupled.solve(*water_flow, 0.1, particles.skeleton(), strain, face_top(), RigidSkeleton{}, 1e-4);
-      coupled.finish(*water_flow, particles.skeleton());
+  const auto pressure = [&](int threads) {
+    PoreFlow water_flow = flow(threads);
+    for (int step = 0; step < 3; ++step) {
+      coupled.solve(water_flow, 0.1, particles.skeleton(), strain, face_top(), RigidSkeleton{}, 1e-4);
+      coupled.finish(water_flow, particles.skeleton());
     }
-  }
-  for (std::size_t p = 0; p < particles.size(); ++p) EXPECT_EQ(one.pressure()[p], two.pressure()[p]);
+    return std::vector<double>(water_flow.pressure().begin(), water_flow.pressure().end());
+  };
+  const std::vector<double> one = pressure(1);
+  EXPECT_EQ(pressure(2), one);
+  EXPECT_EQ(pressure(3), one);
 }
 
 TEST_F(Column, ReportsWhatIsNotANumber) {

@@ -27,25 +27,14 @@ class ConjugateGradients {
   template <class Apply>
   Result solve(const Apply& apply, std::span<const double> diagonal, std::span<const double> b, std::span<double> x,
                double tolerance, int maximum_iterations, int threads) {
-    const std::size_t n = b.size();
-    for (auto* v : {&residual_, &scaled_, &direction_, &image_}) v->resize(n);
-    double b_norm = 0.0;
+    for (auto* v : {&residual_, &scaled_, &direction_, &image_}) v->resize(b.size());
     if (std::ranges::all_of(x, [](double value) { return value == 0.0; })) {
       std::ranges::fill(image_, 0.0);
     } else {
       apply(x, image_);
     }
-    for (std::size_t i = 0; i < n; ++i) {
-      residual_[i] = b[i] - image_[i];
-      scaled_[i] = b[i] / diagonal[i];
-    }
-    b_norm = blocked_dot(b, scaled_, threads);
-    for (std::size_t i = 0; i < n; ++i) {
-      scaled_[i] = residual_[i] / diagonal[i];
-      direction_[i] = scaled_[i];
-    }
-    double rho = blocked_dot(residual_, scaled_, threads);
-    const double target = tolerance * tolerance * b_norm;
+    double rho = begin(diagonal, b, threads);
+    const double target = tolerance * tolerance * norm(diagonal, b, threads);
     Result result;
     while (!(rho <= target)) {
       if (result.iterations == maximum_iterations || !std::isfinite(rho)) {
@@ -53,15 +42,8 @@ class ConjugateGradients {
         break;
       }
       apply(direction_, image_);
-      const double alpha = rho / blocked_dot(direction_, image_, threads);
-      for (std::size_t i = 0; i < n; ++i) {
-        x[i] += alpha * direction_[i];
-        residual_[i] -= alpha * image_[i];
-        scaled_[i] = residual_[i] / diagonal[i];
-      }
-      const double next = blocked_dot(residual_, scaled_, threads);
-      const double beta = next / rho;
-      for (std::size_t i = 0; i < n; ++i) direction_[i] = scaled_[i] + beta * direction_[i];
+      const double next = go(rho / blocked_dot(direction_, image_, threads), diagonal, x, threads);
+      turn(next / rho, threads);
       rho = next;
       ++result.iterations;
     }
@@ -69,6 +51,15 @@ class ConjugateGradients {
   }
 
  private:
+  // b.D^-1.b
+  [[nodiscard]] static double norm(std::span<const double> diagonal, std::span<const double> b, int threads);
+  // The first residual and direction. @return r.D^-1.r
+  double begin(std::span<const double> diagonal, std::span<const double> b, int threads);
+  // x and the residual one step along the direction. @return r.D^-1.r
+  double go(double alpha, std::span<const double> diagonal, std::span<double> x, int threads);
+  // The next direction.
+  void turn(double beta, int threads);
+
   std::vector<double> residual_, scaled_, direction_, image_;
 };
 
