@@ -9,6 +9,7 @@
 namespace slope::testing {
 namespace {
 
+constexpr double water_weight = 9810.0;  // N/m3
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 constexpr int slices = 60;
 constexpr int grid_points = 13;    // of each of the three coordinates
@@ -42,11 +43,12 @@ struct Slice {
   double frictional;  // (W - u b) tan(phi) (N/m)
   double cohesive;    // c b (N/m)
   double cosine, sine;
+  double friction;  // tan(phi)
 };
 
 // F = sum of (c b + (W - u b) tan phi) / m_alpha over the sum of W sin(alpha), m_alpha = cos(alpha) + sin(alpha)
 // tan(phi) / F
-double factor_of_safety(const std::vector<Slice>& cut, double friction) {
+double factor_of_safety(const std::vector<Slice>& cut) {
   double driving = 0.0;
   for (const Slice& slice : cut) driving += slice.driving;
   if (!(driving > 0.0)) return unlimited;
@@ -54,7 +56,7 @@ double factor_of_safety(const std::vector<Slice>& cut, double friction) {
   for (int k = 0; k < 100; ++k) {
     double resisting = 0.0;
     for (const Slice& slice : cut) {
-      const double m_alpha = slice.cosine + slice.sine * friction / factor;
+      const double m_alpha = slice.cosine + slice.sine * slice.friction / factor;
       if (m_alpha < 0.2) return unlimited;  // where the method does not hold: steep passive ends
       resisting += (slice.cohesive + std::max(slice.frictional, 0.0)) / m_alpha;
     }
@@ -67,7 +69,7 @@ double factor_of_safety(const std::vector<Slice>& cut, double friction) {
 
 double factor_of_safety(const SlopeSection& section, const SlopeSoil& soil, const SlipCircle& circle, double left,
                         double right) {
-  const double width = (right - left) / slices, friction = std::tan(soil.friction_angle);
+  const double width = (right - left) / slices;
   std::vector<Slice> cut;
   cut.reserve(slices);
   for (int i = 0; i < slices; ++i) {
@@ -75,11 +77,13 @@ double factor_of_safety(const SlopeSection& section, const SlopeSoil& soil, cons
     const double cosine = std::sqrt(1.0 - sine * sine), y = circle.centre[1] - circle.radius * cosine;
     const double height = ground(section, x) - y;
     if (height < 0.0) return unlimited;
-    const double weight = soil.unit_weight * height * width;
+    const double in_water = std::clamp(soil.water_level - y, 0.0, height);
+    const double weight = (soil.unit_weight * height - water_weight * in_water) * width;
+    const double friction = std::tan(soil.friction_angle(x, y));
     cut.push_back({weight * sine, (weight - soil.pore_stress(x, y) * width) * friction, soil.cohesion(x, y) * width,
-                   cosine, sine});
+                   cosine, sine, friction});
   }
-  return factor_of_safety(cut, friction);
+  return factor_of_safety(cut);
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ double factor_of_safety(const couple::Simulation& simulation) {
       (1.0 - soil.porosity) * soil.solid.grain_density + soil.porosity * simulation.input().water.density;
   return critical_circle({.toe = corners[4], .crest = corners[3], .base = corners[0][1]},
                          {.unit_weight = density * simulation.input().gravity,
-                          .friction_angle = strength.friction_angle,
+                          .friction_angle = [&](double, double) { return strength.friction_angle; },
                           .cohesion = [&](double, double) { return strength.cohesion; },
                           .pore_stress = [](double, double) { return 0.0; }})
       .factor_of_safety;

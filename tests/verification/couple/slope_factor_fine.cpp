@@ -5,6 +5,8 @@
 #include <algorithm>
 
 #include "known_factor.hpp"
+#include "run_case.hpp"
+#include "slope/testing/circular_search.hpp"
 #include "slope/testing/record.hpp"
 
 namespace slope::testing {
@@ -27,6 +29,17 @@ TEST(SlopeFactorFine, HardlyDependsOnTheGridInDilatantSoil) {
 
 TEST(SlopeFactorFine, HardlyDependsOnTheGridInUndrainedSoil) {
   EXPECT_TRUE(record("slope-factor-6", "- spread in undrained clay", at_most(0.03), spread(undrained_slope()), "%"));
+}
+
+// Firm ground below the toe: no circle goes into it. Without friction a circle's factor of safety is an upper bound.
+TEST(SlopeFactorFine, OfClayOverFirmGroundIsThatOfCirclesAboveIt) {
+  couple::Simulation simulation = start_case("deep_clay.yaml", {"soils.lower.strength.undrained_strength=125 kPa"});
+  ASSERT_TRUE(simulation.initialise() && simulation.find_safety());
+  const auto constant = [](double value) { return [value](double, double) { return value; }; };
+  const SlipCircle circle = critical_circle({.toe = {20.0, 10.0}, .crest = {40.0, 20.0}, .base = 10.0},
+                                            {20.0e3, constant(0.0), constant(50.0e3), constant(0.0)});
+  EXPECT_TRUE(record("known-slope-8", "- over clay that is 2.5 times as strong, over the circles'", near(1.0, 0.02),
+                     simulation.summary().safety.back().factor / circle.factor_of_safety, ""));
 }
 
 }  // namespace

@@ -2,10 +2,11 @@
 
 #include <array>
 #include <functional>
+#include <limits>
 
 namespace slope::testing {
 
-/// Homogeneous soil between a level toe and a level crest, over firm ground. The face rises towards +x.
+/// Soil between a level toe and a level crest, over firm ground. The face rises towards +x.
 struct SlopeSection {
   std::array<double, 2> toe{};    ///< (m)
   std::array<double, 2> crest{};  ///< to the right of the toe and above it (m)
@@ -16,10 +17,13 @@ struct SlopeSection {
 struct SlopeSoil {
   using Field = std::function<double(double x, double y)>;
 
-  double unit_weight = 0.0;     ///< of soil and water (N/m3), > 0
-  double friction_angle = 0.0;  ///< (rad), >= 0
-  Field cohesion;               ///< (Pa), >= 0
-  Field pore_stress;            ///< total less effective normal stress, positive in compression (Pa)
+  double unit_weight = 0.0;  ///< of soil and water (N/m3), > 0
+  Field friction_angle;      ///< (rad), >= 0
+  Field cohesion;            ///< (Pa), >= 0
+  Field pore_stress;  ///< total less effective normal stress, positive in compression (Pa); of water at rest up to
+                      ///< `water_level`, which buoys the soil up, none
+  /// Up to which water stands inside and outside of the slope (m).
+  double water_level = -std::numeric_limits<double>::infinity();
 };
 
 struct SlipCircle {
