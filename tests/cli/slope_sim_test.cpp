@@ -38,11 +38,15 @@ void SlopeSim::expect_whole_history(const fs::path& out, std::size_t least_rows)
   }
 }
 
-bool SlopeSim::has_rows(Program& program, const fs::path& history, long rows) {
+bool SlopeSim::has_text(Program& program, const fs::path& file, std::string_view text, int times) {
   const auto limit = std::chrono::steady_clock::now() + std::chrono::minutes(1);
   while (std::chrono::steady_clock::now() < limit && program.running()) {
-    const std::string content = content_of(history);
-    if (std::count(content.begin(), content.end(), '\n') > rows) return true;
+    const std::string content = content_of(file);
+    int found = 0;
+    for (std::size_t at = content.find(text); at != std::string::npos; at = content.find(text, at + text.size())) {
+      ++found;
+    }
+    if (found >= times) return true;
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
   }
   return false;

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "program.hpp"
@@ -27,8 +28,12 @@ class SlopeSim : public testing::Test {
   [[nodiscard]] static std::vector<std::string> lines_of(const fs::path& file);
   /// Every row of the history is whole.
   static void expect_whole_history(const fs::path& out, std::size_t least_rows);
-  /// Waits, for a minute at most, until the history has that many rows.
-  [[nodiscard]] static bool has_rows(Program& program, const fs::path& history, long rows);
+  /// Waits, for a minute at most, until a text stands that many times in a file that the program writes.
+  [[nodiscard]] static bool has_text(Program& program, const fs::path& file, std::string_view text, int times = 1);
+  /// The same until a history has that many rows below its header.
+  [[nodiscard]] static bool has_rows(Program& program, const fs::path& history, int rows) {
+    return has_text(program, history, "\n", rows + 1);
+  }
 
  private:
   ScratchFolder folder_;

@@ -2,25 +2,13 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <csignal>
-#include <thread>
 
 #include "particle_file.hpp"
 #include "slope_sim_test.hpp"
 
 namespace slope::tools::test {
 namespace {
-
-/// Waits, for a minute at most, until the program has written a text to a file.
-bool has_text(Program& program, const fs::path& file, const std::string& text) {
-  const auto limit = std::chrono::steady_clock::now() + std::chrono::minutes(1);
-  while (std::chrono::steady_clock::now() < limit && program.running()) {
-    if (content_of(file).find(text) != std::string::npos) return true;
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  }
-  return false;
-}
 
 class InterruptedRun : public SlopeSim, public testing::WithParamInterface<int> {};
 

@@ -78,6 +78,7 @@ TEST_F(SafetyCommand, ARunThatIsInterruptedWhileItSearchesEndsAsIfItWereNot) {
   int interrupted = 0;
   for (int k = 1; k < 12; ++k) {
     Program program(run("pieces", "--resume"), scratch_);
+    ASSERT_TRUE(has_text(program, scratch_ / "pieces" / "log.txt", "slope-sim ", k)) << "has begun";
     std::this_thread::sleep_for(std::chrono::milliseconds(60 * k));
     if (program.running()) program.signal(SIGINT);
     const Outcome outcome = program.wait();
