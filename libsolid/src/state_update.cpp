@@ -29,7 +29,8 @@ std::vector<InternalField> MaterialPointMethod::internal_fields() const {
   const auto field_of = [&](const InternalVariable& variable) -> InternalField& {
     const auto known = std::ranges::find(fields, variable.name, &InternalField::name);
     if (known != fields.end()) return *known;
-    return fields.emplace_back(variable.name, variable.unit, std::vector<double>(all.size()));
+    fields.push_back({variable.name, variable.unit, std::vector<double>(all.size())});
+    return fields.back();
   };
   for (std::size_t soil = 0; soil < materials_.size(); ++soil) {
     with_state(materials_[soil].strength, [&](const auto& law) {

@@ -1,7 +1,6 @@
 // Runs that are stopped, killed and gone on with.
 
 #include <gtest/gtest.h>
-#include <stdlib.h>
 
 #include <algorithm>
 #include <chrono>
@@ -11,28 +10,16 @@
 #include <sstream>
 #include <thread>
 
-#include "program.hpp"
+#include "slope_sim_test.hpp"
 
 namespace slope::tools::test {
 namespace {
 
-namespace fs = std::filesystem;
-
-class Resume : public testing::Test {
+class Resume : public SlopeSim {
  protected:
-  Resume() {
-    std::string name = (fs::temp_directory_path() / "slope-resume-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no folder can be made at " + name);
-    scratch_ = name;
-  }
-  ~Resume() override {
-    std::error_code ignored;
-    fs::remove_all(scratch_, ignored);
-  }
-
   /// A run of a second or two with histories and snapshots, checkpoints as often as may be.
   [[nodiscard]] std::vector<std::string> run(const std::string& folder, std::vector<std::string> more = {}) const {
-    std::vector<std::string> words{"run",     std::string(SLOPE_CLI_TESTS) + "/box.yaml",
+    std::vector<std::string> words{"run",     box,
                                    "-o",      (scratch_ / folder).string(),
                                    "--set",   "stop.time=4 s",
                                    "--set",   "clock.adaptive=false",
@@ -43,7 +30,6 @@ class Resume : public testing::Test {
     words.insert(words.end(), more.begin(), more.end());
     return words;
   }
-  [[nodiscard]] Outcome call(const std::vector<std::string>& words) const { return slope_sim(words, scratch_); }
 
   /// A file without what depends on the clock on the wall.
   static std::string product(const fs::path& file) {
@@ -70,18 +56,6 @@ class Resume : public testing::Test {
       EXPECT_EQ(product(scratch_ / one / name), product(scratch_ / other / name)) << name;
     }
   }
-  /// Whether the history comes to have that many rows, within a minute.
-  [[nodiscard]] bool has_rows(Program& program, const std::string& folder, long rows) const {
-    const auto limit = std::chrono::steady_clock::now() + std::chrono::minutes(1);
-    while (std::chrono::steady_clock::now() < limit && program.running()) {
-      const std::string content = content_of(scratch_ / folder / "history.csv");
-      if (std::count(content.begin(), content.end(), '\n') > rows) return true;
-      std::this_thread::sleep_for(std::chrono::milliseconds(2));
-    }
-    return false;
-  }
-
-  fs::path scratch_;
 };
 
 TEST_F(Resume, ARunThatIsKilledAgainAndAgainEndsAsIfItWereNot) {
@@ -125,13 +99,13 @@ TEST_F(Resume, ARunThatWasStoppedBeforeItsStartBeginsAnew) {
   ASSERT_TRUE(fs::exists(checkpoint));
   ASSERT_FALSE(fs::exists(scratch_ / "early" / "history.csv"));
   Program again({"resume", (scratch_ / "early").string(), "--quiet"}, scratch_);
-  EXPECT_TRUE(has_rows(again, "early", 3)) << content_of(scratch_ / "errors");
+  EXPECT_TRUE(has_rows(again, scratch_ / "early" / "history.csv", 3)) << content_of(scratch_ / "errors");
 }
 
 TEST_F(Resume, AnInterruptedRunGoesOnWithAnotherNumberOfThreads) {
   ASSERT_EQ(call(run("whole")).exit_code, 0);
   Program program(run("stopped"), scratch_);
-  ASSERT_TRUE(has_rows(program, "stopped", 20));
+  ASSERT_TRUE(has_rows(program, scratch_ / "stopped" / "history.csv", 20));
   program.signal(SIGTERM);
   ASSERT_EQ(program.wait().exit_code, 130);
   const Outcome outcome = call({"resume", (scratch_ / "stopped").string(), "--threads", "2", "--quiet"});
@@ -145,7 +119,7 @@ TEST_F(Resume, ACheckpointIsWrittenOnRequest) {
   std::vector<std::string> words = run("asked");
   words.back() = "1e6";
   Program program(words, scratch_);
-  ASSERT_TRUE(has_rows(program, "asked", 10));
+  ASSERT_TRUE(has_rows(program, scratch_ / "asked" / "history.csv", 10));
   program.signal(SIGUSR1);
   ASSERT_EQ(program.wait().exit_code, 0);
   EXPECT_NE(content_of(scratch_ / "asked" / "log.txt").find("checkpoint on request"), std::string::npos);
@@ -153,7 +127,7 @@ TEST_F(Resume, ACheckpointIsWrittenOnRequest) {
 
 TEST_F(Resume, ASecondRunIsKeptOut) {
   Program program(run("taken", {"--set", "stop.time=1 h"}), scratch_);
-  ASSERT_TRUE(has_rows(program, "taken", 3));
+  ASSERT_TRUE(has_rows(program, scratch_ / "taken" / "history.csv", 3));
   for (const auto& words : {run("taken", {"--overwrite"}), {"resume", (scratch_ / "taken").string()}}) {
     fs::create_directory(scratch_ / "second");
     const Outcome second = slope_sim(words, scratch_ / "second");
@@ -179,7 +153,7 @@ TEST_F(Resume, WhatDoesNotFitIsRefused) {
 
 /// A blow that the first step, at the soil's own stable length, would turn its surface inside out with.
 std::vector<std::string> blow(const std::string& folder, const std::string& end) {
-  return {"run",    std::string(SLOPE_CLI_TESTS) + "/box.yaml",
+  return {"run",    box,
           "-o",     folder,
           "--set",  "stop.time=" + end,
           "--set",  "soils.clay.youngs_modulus=100 kPa",

@@ -1,7 +1,6 @@
 // slope-sim safety, and runs that ask for the factor of safety.
 
 #include <gtest/gtest.h>
-#include <stdlib.h>
 
 #include <algorithm>
 #include <chrono>
@@ -9,28 +8,16 @@
 #include <stdexcept>
 #include <thread>
 
-#include "program.hpp"
+#include "slope_sim_test.hpp"
 
 namespace slope::tools::test {
 namespace {
 
-namespace fs = std::filesystem;
-
-class SafetyCommand : public testing::Test {
+class SafetyCommand : public SlopeSim {
  protected:
-  SafetyCommand() {
-    std::string name = (fs::temp_directory_path() / "slope-safety-test-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no folder can be made at " + name);
-    scratch_ = name;
-  }
-  ~SafetyCommand() override {
-    std::error_code ignored;
-    fs::remove_all(scratch_, ignored);
-  }
-
   /// A box of weak clay with a face that is free to fall.
   [[nodiscard]] std::vector<std::string> words(const std::string& command, std::vector<std::string> more = {}) const {
-    std::vector<std::string> result{command, std::string(SLOPE_CLI_TESTS) + "/box.yaml"};
+    std::vector<std::string> result{command, box};
     for (const char* setting :
          {"soils.clay.strength={model: von_mises, undrained_strength: 20 kPa}", "initial.stress=self_weight",
           "geometry=[{soil: clay, polygon: [[0 m, 0 m], [1 m, 0 m], [1 m, 1 m], [0 m, 1 m]]}]", "points={}",
@@ -40,9 +27,6 @@ class SafetyCommand : public testing::Test {
     result.insert(result.end(), more.begin(), more.end());
     return result;
   }
-  [[nodiscard]] Outcome call(const std::vector<std::string>& all) const { return slope_sim(all, scratch_); }
-
-  fs::path scratch_;
 };
 
 TEST_F(SafetyCommand, TellsTheFactorAtTheStartAndKeepsNothing) {
@@ -94,6 +78,7 @@ TEST_F(SafetyCommand, ARunThatIsInterruptedWhileItSearchesEndsAsIfItWereNot) {
   int interrupted = 0;
   for (int k = 1; k < 12; ++k) {
     Program program(run("pieces", "--resume"), scratch_);
+    ASSERT_TRUE(has_text(program, scratch_ / "pieces" / "log.txt", "slope-sim ", k)) << "has begun";
     std::this_thread::sleep_for(std::chrono::milliseconds(60 * k));
     if (program.running()) program.signal(SIGINT);
     const Outcome outcome = program.wait();

@@ -1,9 +1,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
 #include <charconv>
+#include <optional>
+#include <sstream>
 
 #include "input.hpp"
 #include "slope/couple/text_file.hpp"
@@ -100,6 +103,57 @@ class Converter {
   std::size_t nodes_ = 0;
 };
 
+/// Notes what a document begins with.
+class Beginning : public YAML::EventHandler {
+ public:
+  [[nodiscard]] bool is_null() const { return is_null_; }
+  [[nodiscard]] int line() const { return line_; }  ///< from 1
+
+  void OnNull(const YAML::Mark& mark, YAML::anchor_t /*anchor*/) override { note(mark, true); }
+  void OnAlias(const YAML::Mark& mark, YAML::anchor_t /*anchor*/) override { note(mark); }
+  void OnScalar(const YAML::Mark& mark, const std::string& /*tag*/, YAML::anchor_t /*anchor*/,
+                const std::string& /*value*/) override {
+    note(mark);
+  }
+  void OnSequenceStart(const YAML::Mark& mark, const std::string& /*tag*/, YAML::anchor_t /*anchor*/,
+                       YAML::EmitterStyle::value /*style*/) override {
+    note(mark);
+  }
+  void OnMapStart(const YAML::Mark& mark, const std::string& /*tag*/, YAML::anchor_t /*anchor*/,
+                  YAML::EmitterStyle::value /*style*/) override {
+    note(mark);
+  }
+  void OnDocumentStart(const YAML::Mark& /*mark*/) override {}
+  void OnDocumentEnd() override {}
+  void OnSequenceEnd() override {}
+  void OnMapEnd() override {}
+
+ private:
+  void note(const YAML::Mark& mark, bool is_null = false) {
+    if (line_ > 0) return;
+    line_ = mark.line + 1;
+    is_null_ = is_null;
+  }
+
+  int line_ = 0;
+  bool is_null_ = false;
+};
+
+/// The one document of a text; none if it is empty.
+/// @throws WrongKind if a second one follows; YAML::Exception
+std::optional<YAML::Node> only_document(const std::string& text, const YamlKind& kind) {
+  // YAML::LoadAll() goes on until there is no memory left where a comma, which begins nothing, follows a document
+  std::istringstream stream(text);
+  YAML::Parser parser(stream);
+  Beginning first, second;
+  if (!parser.HandleNextDocument(first) || first.is_null()) return std::nullopt;
+  if (parser.HandleNextDocument(second)) {
+    throw WrongKind{second.line(),
+                    fmt::format("a second {} document begins here; a {} is one document", kind.language, kind.content)};
+  }
+  return YAML::Load(text);
+}
+
 void mark_as_override(Document& document) {
   document.file = override_source;
   document.line = 0;
@@ -141,19 +195,10 @@ Document parse_yaml(const std::string& text, const std::string& file, std::vecto
     return {};
   }
   try {
-    const std::vector<YAML::Node> documents = YAML::LoadAll(text);
-    if (documents.empty() || documents.front().IsNull()) {
-      problems.push_back(
-          {file, 0, "", file == override_source ? "expected a value, got nothing" : "the file is empty"});
-      return {};
-    }
-    if (documents.size() > 1) {
-      problems.push_back(
-          {file, documents[1].Mark().line + 1, "",
-           fmt::format("a second {} document begins here; a {} is one document", kind.language, kind.content)});
-      return {};
-    }
-    return Converter(file, problems, kind).convert(documents.front(), "", 1);
+    if (const auto document = only_document(text, kind))
+      return Converter(file, problems, kind).convert(*document, "", 1);
+    problems.push_back({file, 0, "", file == override_source ? "expected a value, got nothing" : "the file is empty"});
+    return {};
   } catch (const WrongKind& found) {
     problems.push_back({file, found.line, "", found.message});
     return {};

@@ -10,12 +10,13 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <variant>
 #include <vector>
 
 namespace slope::couple {
 
 // Values as bytes and back. What a type holds decides how: numbers as they are, texts and arrays after their length, a
-// struct field by field as its for_each_field() lists them, each after its name.
+// struct field by field as its for_each_field() lists them, each after its name, one of several types after its number.
 
 template <class T>
 concept Listed = requires(T& value) {
@@ -40,6 +41,11 @@ class ArchiveWriter {
   void put(const std::optional<T>& value) {
     put(value.has_value());
     if (value) put(*value);
+  }
+  template <class... Kinds>
+  void put(const std::variant<Kinds...>& value) {
+    put_count(value.index());
+    std::visit([this](const auto& kind) { put(kind); }, value);
   }
   template <class T, std::size_t size>
   void put(const std::array<T, size>& values) {
@@ -110,6 +116,16 @@ class ArchiveReader {
     get(there);
     value.reset();
     if (there) get(value.emplace());
+  }
+  template <class... Kinds>
+  void get(std::variant<Kinds...>& value) {
+    std::uint64_t found = 0, number = 0;
+    get(found);
+    if (found >= sizeof...(Kinds)) fail("a kind that there is not");
+    const auto take_if_found = [&]<class Kind>() {
+      if (number++ == found) get(value.template emplace<Kind>());
+    };
+    (take_if_found.template operator()<Kinds>(), ...);
   }
   template <class T, std::size_t size>
   void get(std::array<T, size>& values) {

@@ -165,7 +165,8 @@ std::array<double, 2> BoundaryConditions::standing_acceleration() const {
 }
 
 double BoundaryConditions::next_change(double time) const {
-  double next = never;
+  const auto change = std::ranges::upper_bound(change_times_, time);
+  double next = change == change_times_.end() ? never : *change;
   const auto look_at = [&](const auto& points) {
     for (const auto& point : points) {
       if (point.time > time) next = std::min(next, point.time);

@@ -36,7 +36,8 @@ class BoundaryConditions {
 
   /// Times at which a condition begins or ends its ramp, ascending (s).
   [[nodiscard]] const std::vector<double>& change_times() const { return change_times_; }
-  /// The first time after the one given (s) at which a rain changes or a level, pressure, head or flux has a point.
+  /// The first time after the one given (s) at which a condition begins or ends its ramp, a rain changes or a level,
+  /// pressure, head or flux has a point.
   [[nodiscard]] double next_change(double time) const;
   /// How fast the fastest of the prescribed pressures, heads and levels changes just after a time (Pa/s), >= 0.
   [[nodiscard]] double prescribed_rate(double time) const;

@@ -21,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view mark = "slope checkpoint";
-constexpr std::uint64_t version = 3;
+constexpr std::uint64_t version = 4;
 constexpr std::size_t head_size = 48;
 constexpr std::size_t checksum_size = sizeof(XXH128_canonical_t);
 static_assert(mark.size() + 2 * sizeof(std::uint64_t) + checksum_size == head_size);

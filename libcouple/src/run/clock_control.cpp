@@ -43,11 +43,6 @@ ClockControl::Pace ClockControl::pace(double time, double next, double time_step
   return pace;
 }
 
-double ClockControl::next_change(double time) const {
-  const auto next = std::ranges::upper_bound(change_times_, time);
-  return next == change_times_.end() ? never : *next;
-}
-
 void ClockControl::begin_block(std::span<const double> pressure) {
   state_.pressure.assign(pressure.begin(), pressure.end());
   state_.block_time = state_.block_unbalanced = 0.0;

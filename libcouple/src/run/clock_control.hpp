@@ -54,8 +54,6 @@ class ClockControl {
   [[nodiscard]] double unbalanced_limit() const;
   /// The largest unbalanced ratio that a judgement found while the water ran ahead of the soil (-).
   [[nodiscard]] double largest_unbalanced_ratio() const { return state_.largest_unbalanced_ratio; }
-  /// The time of the next change of the boundary conditions after `time` (s).
-  [[nodiscard]] double next_change(double time) const;
   [[nodiscard]] const State& state() const { return state_; }
   void set_state(State state) { state_ = std::move(state); }
 

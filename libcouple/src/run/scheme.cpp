@@ -1,43 +1,51 @@
 #include "scheme.hpp"
 
-#include <algorithm>
+#include <stdexcept>
+#include <utility>
 
 namespace slope::couple {
 
-AnyScheme make_scheme(const Case& input) {
-  if (input.scheme == Scheme::explicit_two_pass) return ExplicitScheme();
-  if (input.scheme == Scheme::seepage) return SeepageScheme();
-  return SemiImplicitScheme(input.numerics.pressure_tolerance);
+AnyScheme::AnyScheme(const Case& input, const Mixture& mixture, const SlopeScale& scale,
+                     const std::vector<double>& change_times)
+    : scheme_([&]() -> decltype(scheme_) {
+        if (input.scheme == Scheme::explicit_two_pass) {
+          return ClockPaced(ExplicitScheme(), input, mixture, scale, change_times);
+        }
+        if (input.scheme == Scheme::seepage) return SeepageScheme();
+        return ClockPaced(SemiImplicitScheme(input.numerics.pressure_tolerance), input, mixture, scale, change_times);
+      }()) {}
+
+StepDone AnyScheme::step(const StepTask& task) {
+  return std::visit([&](auto& scheme) { return scheme.step(task); }, scheme_);
 }
 
-double longest_step(const AnyScheme& scheme, const Mixture& mixture, double courant_number) {
-  return std::visit(BySchemes{[](const SeepageScheme& water_alone) { return water_alone.state(); },
-                              [&](const auto& coupled) { return coupled.stable_step(mixture, courant_number); }},
-                    scheme);
+double AnyScheme::time_step() const {
+  return std::visit([](const auto& scheme) { return scheme.time_step(); }, scheme_);
 }
 
-Clock clock_limits(const AnyScheme& scheme, const Case& input, const Mixture& mixture) {
-  Clock limits = input.clock;
-  limits.maximum_factor = std::visit(
-      BySchemes{[&](const ExplicitScheme& explicit_flow) {
-                  return std::min(limits.maximum_factor,
-                                  explicit_flow.largest_clock_factor(mixture, input.numerics.courant_number));
-                },
-                [&](const auto& /*bears any*/) { return limits.maximum_factor; }},
-      scheme);
-  return limits;
+bool AnyScheme::moves_soil() const {
+  return std::visit([]<class Own>(const Own& /*scheme*/) { return Own::moves_soil; }, scheme_);
 }
 
-double water_step(const AnyScheme& scheme) {
-  return std::visit(BySchemes{[](const SeepageScheme& water_alone) { return water_alone.state(); },
-                              [](const auto& /*paced by the clock*/) { return 0.0; }},
-                    scheme);
+void AnyScheme::tell(Summary& summary) const {
+  std::visit(
+      [&]<class Own>(const Own& scheme) {
+        if constexpr (Own::moves_soil) scheme.tell(summary);
+      },
+      scheme_);
 }
 
-void set_water_step(AnyScheme& scheme, double step) {
-  std::visit(BySchemes{[step](SeepageScheme& water_alone) { water_alone.set_state(step); },
-                       [](auto& /*paced by the clock*/) {}},
-             scheme);
+PaceState AnyScheme::state() const {
+  return std::visit([](const auto& scheme) -> PaceState { return scheme.state(); }, scheme_);
+}
+
+void AnyScheme::set_state(PaceState state) {
+  std::visit(
+      [&]<class Own>(Own& scheme) {
+        if (!std::holds_alternative<typename Own::State>(state)) throw std::invalid_argument("its scheme is another");
+        scheme.set_state(std::get<typename Own::State>(std::move(state)));
+      },
+      scheme_);
 }
 
 }  // namespace slope::couple

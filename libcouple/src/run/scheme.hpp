@@ -1,30 +1,36 @@
 #pragma once
 
 #include <variant>
+#include <vector>
 
+#include "clock_paced.hpp"
 #include "explicit_scheme.hpp"
 #include "seepage_scheme.hpp"
 #include "semi_implicit_scheme.hpp"
 
 namespace slope::couple {
 
-/// How a step is taken: what the case's `coupling.scheme` names.
-using AnyScheme = std::variant<SemiImplicitScheme, ExplicitScheme, SeepageScheme>;
+/// How a step is taken, and how long it is: what the case's `coupling.scheme` names. Each scheme owns its pace.
+class AnyScheme {
+ public:
+  /// @param change_times  of the boundary conditions (s)
+  AnyScheme(const Case& input, const Mixture& mixture, const SlopeScale& scale,
+            const std::vector<double>& change_times);
 
-/// One function for each kind of scheme, for std::visit.
-template <class... Functions>
-struct BySchemes : Functions... {
-  using Functions::operator()...;
+  /// @throws what the solvers throw; the slope is then neither what it was nor what it would be.
+  StepDone step(const StepTask& task);
+  /// The longest step of the soil; where its stiffness varies, and of the water alone, the latest (s).
+  [[nodiscard]] double time_step() const;
+  [[nodiscard]] bool moves_soil() const;
+  /// Adds how far the soil was out of balance, if it is moved.
+  void tell(Summary& summary) const;
+
+  [[nodiscard]] PaceState state() const;
+  /// @throws std::invalid_argument if the state is of another kind of scheme, or of another number of particles
+  void set_state(PaceState state);
+
+ private:
+  std::variant<ClockPaced<SemiImplicitScheme>, ClockPaced<ExplicitScheme>, SeepageScheme> scheme_;
 };
-
-[[nodiscard]] AnyScheme make_scheme(const Case& input);
-/// The longest step of the soil (s); of the water alone, the first.
-[[nodiscard]] double longest_step(const AnyScheme& scheme, const Mixture& mixture, double courant_number);
-/// The clock's limits, with the largest factor that the scheme bears.
-[[nodiscard]] Clock clock_limits(const AnyScheme& scheme, const Case& input, const Mixture& mixture);
-/// What a scheme remembers from one step to the next (s): how long the next step of the water alone may be; of the
-/// others zero, whose pace is the clock's.
-[[nodiscard]] double water_step(const AnyScheme& scheme);
-void set_water_step(AnyScheme& scheme, double step);
 
 }  // namespace slope::couple

@@ -17,20 +17,27 @@ constexpr double shortest_step = 1.0e-6;    // s
 
 }  // namespace
 
-double SeepageScheme::pace(double time, double next) const {
-  return (next - time) / std::max(1.0, std::ceil((next - time) / step_ * (1.0 - 1.0e-12)));
+StepDone SeepageScheme::step(const StepTask& task) {
+  for (;;) {
+    const double way = task.next - task.time;
+    const double equal = way / std::max(1.0, std::ceil(way / state_.next_step * (1.0 - 1.0e-12)));
+    state_.latest_step = task.share * equal;
+    const double end = end_of_step(task, state_.latest_step);
+    task.conditions.apply(end, task.mixture, task.actions);
+    const seepage::SolveReport report = advance(task.mixture, task.actions, state_.latest_step);
+    if (report.converged) return {.time = end, .duration = state_.latest_step, .report = report};
+  }
 }
 
-seepage::SolveReport SeepageScheme::step(Mixture& mixture, const Actions& actions, double time_step,
-                                         double clock_factor) {
-  const double water_step = clock_factor * time_step;
+seepage::SolveReport SeepageScheme::advance(Mixture& mixture, const Actions& actions, double duration) {
   const std::span<const double> saturation = mixture.water.saturation();
   saturation_.assign(saturation.begin(), saturation.end());
   const auto report =
-      water_step_.advance(mixture.water, water_step, mixture.skeleton(), actions.water, pressure_tolerance);
+      water_step_.advance(mixture.water, duration, mixture.skeleton(), actions.water, pressure_tolerance);
   if (!report.converged) {
-    step_ = 0.25 * water_step;
-    if (step_ < shortest_step) throw SimulationError("the pore water's equations have no solution for any step");
+    state_.next_step = 0.25 * duration;
+    if (state_.next_step < shortest_step)
+      throw SimulationError("the pore water's equations have no solution for any step");
     return report;
   }
   double change = 0.0;
@@ -40,7 +47,7 @@ seepage::SolveReport SeepageScheme::step(Mixture& mixture, const Actions& action
   const double growth = std::clamp(saturation_change / std::max(change, 1.0e-9), 0.5,
                                    report.iterations > easy_iterations ? 1.0 : fastest_growth);
   // a step cut short by what is due says nothing about longer ones, save that they would be as good
-  step_ = growth < 1.0 ? growth * water_step : std::max(step_, growth * water_step);
+  state_.next_step = growth < 1.0 ? growth * duration : std::max(state_.next_step, growth * duration);
   return report;
 }
 

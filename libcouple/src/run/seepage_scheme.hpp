@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "actions.hpp"
-#include "mixture.hpp"
+#include "slope/couple/state.hpp"
 #include "slope/seepage/rigid_step.hpp"
+#include "step.hpp"
 
 namespace slope::couple {
 
@@ -12,19 +12,23 @@ namespace slope::couple {
 /// method allow.
 class SeepageScheme {
  public:
-  /// The length of the next step, one of equal ones from `time` to `next` (s).
-  [[nodiscard]] double pace(double time, double next) const;
+  using State = WaterPace;
+  static constexpr bool moves_soil = false;
 
-  /// How long the next step may be (s): all that the scheme remembers.
-  [[nodiscard]] double state() const { return step_; }
-  void set_state(double step) { step_ = step; }
-
-  /// One step of clock_factor x time_step. If it does not converge nothing has changed, and pace() gives a shorter one.
+  /// One step; if it does not converge nothing has changed, and a shorter one is tried.
   /// @throws SimulationError if there is none left to try
-  seepage::SolveReport step(Mixture& mixture, const Actions& actions, double time_step, double clock_factor);
+  StepDone step(const StepTask& task);
+
+  /// The latest step (s).
+  [[nodiscard]] double time_step() const { return state_.latest_step; }
+  [[nodiscard]] const State& state() const { return state_; }
+  void set_state(const State& state) { state_ = state; }
 
  private:
-  double step_ = 1.0;               // the state; where the search begins
+  // The water's changes within a step of that length; afterwards the next one's length is known.
+  seepage::SolveReport advance(Mixture& mixture, const Actions& actions, double duration);
+
+  State state_;
   std::vector<double> saturation_;  // at the start of the step
   seepage::RigidStep water_step_;
 };

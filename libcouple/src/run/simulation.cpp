@@ -204,8 +204,8 @@ Summary Simulation::summary() const {
   summary.mean_pressure_iterations =
       s.now.steps == 0 ? 0.0 : static_cast<double>(s.now.pressure_iterations) / static_cast<double>(s.now.steps);
   summary.water = s.water_budget();
-  summary.largest_unbalanced_ratio = s.clock.largest_unbalanced_ratio();
-  summary.unbalanced_limit = s.clock.unbalanced_limit();
+  summary.unbalanced_limit = s.input.clock.unbalanced_limit;
+  s.scheme.tell(summary);
   return summary;
 }
 

@@ -89,7 +89,7 @@ Slide Simulation::Run::slide() const {
 }
 
 bool Simulation::Run::asks_for_safety() const {
-  const double close = sliver * now.time_step;
+  const double close = sliver * scheme.time_step();
   const auto is_now = [&](double time) { return std::abs(time - now.time) <= close; };
   const bool found = !now.result.safety.empty() && is_now(now.result.safety.back().time);
   return !found && std::ranges::any_of(safety_times, is_now);
@@ -100,7 +100,7 @@ std::optional<Mechanism> Simulation::Run::find_safety(const InitialObserver& go_
   BoundaryConditions acting = conditions;
   Actions now_acting;
   acting.apply(now.time, slope, now_acting);
-  if (input.scheme == Scheme::seepage) {
+  if (!scheme.moves_soil()) {
     const TimeStep step = [&] { return slope.soil.stable_step(input.numerics.courant_number, slope.water_mass()); };
     if (!find_self_weight_stress(slope, now_acting, scale, step, go_on)) return std::nullopt;
   }
@@ -149,7 +149,7 @@ void Simulation::Run::check_end() {
 }
 
 Verdict Simulation::Run::verdict() const {
-  if (input.scheme == Scheme::seepage) return Verdict::water_alone;
+  if (!scheme.moves_soil()) return Verdict::water_alone;
   if (!now.result.stands_before) return Verdict::does_not_stand;
   if (now.result.onset_time) {
     const bool slides = now.result.runaway_onset || zone().area > 0.0;

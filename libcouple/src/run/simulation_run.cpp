@@ -80,14 +80,12 @@ Simulation::Run::Run(Case c, std::optional<bool> mirrored, int threads)
       mixture(input, particles, initial_pressure(input, particles), threads),
       scale(scale_of(input, particles, mixture)),
       conditions(input, particles),
-      scheme(make_scheme(input)),
-      clock(clock_limits(scheme, input, mixture), scale, conditions.change_times()),
+      scheme(input, mixture, scale, conditions.change_times()),
       surface(particles, faces_at({}, input, particles)),
       ground(input.domain, input.regions),
       runaway(input.onset_displacement, at_once * scale.period()),
       rest(std::sqrt(scale.height / scale.gravity)),
       snapshot_times(input.output.snapshots) {
-  now.time_step = longest_step(scheme, mixture, input.numerics.courant_number);
   now.first_storage = mixture.water.stored_water();
   now.result.onset_criterion = input.onset_displacement;
   now.result.particles = particles.x.size();
@@ -121,8 +119,7 @@ SimulationState Simulation::Run::state() const {
           .head_operator = mixture.water.head_operator().state(),
           .mixture = mixture.state(),
           .boundary = conditions.state(),
-          .clock = clock.state(),
-          .water_step = water_step(scheme),
+          .pace = scheme.state(),
           .runaway = runaway.state(),
           .rest = rest.state(),
           .progress = now};
@@ -137,9 +134,8 @@ void Simulation::Run::check(const SimulationState& state) const {
   if (other != n) refuse("it has " + std::to_string(other) + " particles instead of " + std::to_string(n));
   if (state.soil.particles.soil != mixture.soil.particles().soil) refuse("its soils lie elsewhere");
   if (state.mixture.first_volume.empty() == mixture.rigid()) refuse("one skeleton is rigid, the other is not");
-  if ((state.water_step > 0.0) != (water_step(scheme) > 0.0)) refuse("its scheme is another");
   for (const auto* field : {&state.mixture.first_volume, &state.mixture.first_porosity, &state.boundary.first_pressure,
-                            &state.boundary.free_surface.x, &state.clock.pressure, &state.rest.ux, &state.rest.uy}) {
+                            &state.boundary.free_surface.x, &state.rest.ux, &state.rest.uy}) {
     if (!field->empty() && field->size() != n) refuse("a field has not one entry for each particle");
   }
   if (state.progress.farthest_particle >= n || state.runaway.samples.empty() || state.boundary.first_pressure.empty()) {
@@ -154,11 +150,10 @@ void Simulation::Run::set_state(SimulationState state) {
     mixture.water.set_state(std::move(state.water), std::move(state.head_operator));
     mixture.set_state(std::move(state.mixture));
     conditions.set_state(std::move(state.boundary));
+    scheme.set_state(std::move(state.pace));
   } catch (const std::invalid_argument& error) {
     throw InputError({{input.path, 0, "", std::string("the state is of another case: ") + error.what()}});
   }
-  clock.set_state(std::move(state.clock));
-  set_water_step(scheme, state.water_step);
   runaway.set_state(std::move(state.runaway));
   rest.set_state(std::move(state.rest));
   now = std::move(state.progress);
@@ -175,22 +170,20 @@ bool Simulation::Run::find_initial_state(const InitialObserver& go_on) {
   conditions.apply_initial(mixture, before);
   const auto stable = [this] { return mixture.soil.stable_step(input.numerics.courant_number, mixture.water_mass()); };
   const TimeStep step = [this, stable, first = stable()] { return mixture.soil.stiffness_varies() ? stable() : first; };
-  const bool needs_stress = input.scheme != Scheme::seepage;
   std::optional<double> unbalanced = 0.0;
-  if (needs_stress && input.initial_stress == InitialStress::self_weight) {
+  if (scheme.moves_soil() && input.initial_stress == InitialStress::self_weight) {
     unbalanced = find_self_weight_stress(mixture, before, scale, step, go_on);
-  } else if (needs_stress && input.initial_stress == InitialStress::k0) {
+  } else if (scheme.moves_soil() && input.initial_stress == InitialStress::k0) {
     unbalanced = find_k0_stress(mixture, before, scale, step, particles.spacing, k0_of_soils(input), go_on);
   }
   if (!unbalanced) return false;
   now.result.initial_unbalanced_ratio = *unbalanced;
   now.result.stands_before = *unbalanced <= unbalanced_limit;
-  if (needs_stress && input.initial_stress != InitialStress::none &&
+  if (scheme.moves_soil() && input.initial_stress != InitialStress::none &&
       !add_standing_acceleration(mixture, before, conditions.standing_acceleration(), scale, step, go_on)) {
     return false;
   }
   mixture.soil.release_walls(mixture.water_mass());
-  fit_time_step();
   now.first_storage = mixture.water.stored_water();
   const std::size_t n = particles.x.size();
   std::vector<double> wx(n), wy(n);
@@ -205,9 +198,8 @@ bool Simulation::Run::find_initial_state(const InitialObserver& go_on) {
 
 // The earliest time after the present one at which something is due.
 double Simulation::Run::next_stop() const {
-  double next = std::min(input.stop.time, clock.next_change(now.time + sliver * now.time_step));
+  double next = std::min(input.stop.time, conditions.next_change(now.time + sliver * scheme.time_step()));
   next = std::min(next, history_time(history_rows));
-  next = std::min(next, conditions.next_change(now.time + sliver * now.time_step));
   if (next_snapshot < snapshot_times.size()) next = std::min(next, snapshot_times[next_snapshot]);
   if (now.result.onset_time) next = std::min(next, *now.result.onset_time + input.stop.after_onset);
   return next;
@@ -256,54 +248,16 @@ void Simulation::Run::step_or_try_again() {
 
 // A step of a share of its length.
 void Simulation::Run::step(double share) {
-  const double next = next_stop();
-  const auto report =
-      std::visit(BySchemes{[&](SeepageScheme& water_alone) { return step_water(water_alone, next, share); },
-                           [&](auto& coupled) { return step_mixture(coupled, next, share * now.time_step); }},
-                 scheme);
+  const StepDone done = scheme.step({mixture, conditions, actions, now.time, next_stop(), share});
+  now.time = done.time;
+  now.latest_step = done.duration;
+  now.clock_factor = done.clock_factor;
   ++now.steps;
-  now.pressure_iterations += static_cast<std::size_t>(report.iterations);
-  if (!report.converged) ++now.result.unsettled_steps;
+  now.pressure_iterations += static_cast<std::size_t>(done.report.iterations);
+  if (!done.report.converged) ++now.result.unsettled_steps;
   observe_water();
   observe_displacement();
   check_end();
-}
-
-// To a stiffness that is another after each step.
-void Simulation::Run::fit_time_step() {
-  if (mixture.soil.stiffness_varies()) now.time_step = longest_step(scheme, mixture, input.numerics.courant_number);
-}
-
-template <class Coupled>
-seepage::SolveReport Simulation::Run::step_mixture(Coupled& coupled, double next, double longest) {
-  const ClockControl::Pace pace = clock.pace(now.time, next, longest, conditions.prescribed_rate(now.time));
-  now.clock_factor = pace.factor;
-  if (pace.velocity_scale < 1.0) mixture.slow_down(pace.velocity_scale);
-  const double water_step = pace.factor * pace.time_step;
-  // the last step up to what is due ends there to the last digit
-  const double after = now.time + (1.0 + sliver) * water_step > next ? next : now.time + water_step;
-  conditions.apply(after, mixture, actions);
-  const auto report = coupled.step(mixture, actions, pace.time_step, pace.factor);
-  now.time = after;
-  now.latest_step = water_step;
-  fit_time_step();
-  const solid::Balance& balance = mixture.soil.balance();
-  clock.observe(pace.time_step, balance.unbalanced_force / balance.weight, conditions.first_pressure(),
-                mixture.water.pressure());
-  return report;
-}
-
-seepage::SolveReport Simulation::Run::step_water(SeepageScheme& seepage, double next, double share) {
-  for (;;) {
-    now.time_step = share * seepage.pace(now.time, next);
-    const double after = now.time + (1.0 + sliver) * now.time_step > next ? next : now.time + now.time_step;
-    conditions.apply(after, mixture, actions);
-    const auto report = seepage.step(mixture, actions, now.time_step, now.clock_factor);
-    if (!report.converged) continue;
-    now.time = after;
-    now.latest_step = now.time_step;
-    return report;
-  }
 }
 
 // Positions in the case's own coordinates.

@@ -22,8 +22,6 @@ namespace slope::couple {
 struct Simulation::Run {
   Run(Case given, std::optional<bool> mirrored, int threads);
 
-  static constexpr double sliver = 1.0e-6;  // share of a step by which two times may differ and be the same
-
   // Outputs that are due.
   struct Due {
     bool history = false, snapshot = false;
@@ -37,14 +35,10 @@ struct Simulation::Run {
   [[nodiscard]] double history_time(std::size_t row) const {
     return static_cast<double>(row) * input.output.history_interval;
   }
-  [[nodiscard]] bool due(double t) const { return t <= now.time + sliver * now.time_step; }
+  [[nodiscard]] bool due(double t) const { return t <= now.time + sliver * scheme.time_step(); }
   Due take_due();
   [[nodiscard]] double next_stop() const;
   void step(double share);
-  void fit_time_step();
-  template <class Coupled>
-  seepage::SolveReport step_mixture(Coupled& coupled, double next, double longest);
-  seepage::SolveReport step_water(SeepageScheme& seepage, double next, double share);
   [[nodiscard]] std::optional<std::string> try_step(double share);
   void go_back();
   void step_or_try_again();
@@ -75,7 +69,6 @@ struct Simulation::Run {
   SlopeScale scale;
   BoundaryConditions conditions;
   AnyScheme scheme;
-  ClockControl clock;
   GroundSurface surface;
   GroundLine ground;
   RunawayWatch runaway;

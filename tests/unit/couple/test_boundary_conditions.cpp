@@ -171,7 +171,8 @@ TEST(BoundaryConditions, PressuresAndFluxesFollowTheirPoints) {
       {"water_boundaries=[{name: river, at: left, to: 1 m, total_head: [[0 s, 1 m], [10 s, 3 m]], applied_to: "
        "face}, {name: leak, at: right, flux: [[0 s, 0 m/s], [20 s, 2e-6 m/s]]}, {name: drain, at: base, "
        "free_drainage: true, start: 4 s}]"});
-  EXPECT_EQ(acting.conditions.next_change(0.0), 10.0);
+  EXPECT_EQ(acting.conditions.next_change(0.0), 4.0) << "the drain begins";
+  EXPECT_EQ(acting.conditions.next_change(4.0), 10.0);
   EXPECT_EQ(acting.conditions.next_change(10.0), 20.0);
   EXPECT_NEAR(acting.conditions.prescribed_rate(0.0), 9810.0 * 0.2, 1e-6);
   EXPECT_EQ(acting.conditions.prescribed_rate(10.0), 0.0);

@@ -45,6 +45,14 @@ TEST(Checkpoint, GivesBackWhatItWasGiven) {
   EXPECT_TRUE(again.state == a_checkpoint().state);
 }
 
+TEST(Checkpoint, GivesBackThePaceOfTheWaterAlone) {
+  Simulation simulation(read_case(a_case().path, {"coupling.scheme=seepage"}));
+  simulation.initialise();
+  simulation.advance();
+  const SimulationState state = simulation.state();
+  EXPECT_TRUE(checkpoint_of(checkpoint_bytes({"", "", {}, state}), "file").state == state);
+}
+
 TEST(Checkpoint, IsRefusedWhenItIsCutOff) {
   const std::string bytes = checkpoint_bytes(a_checkpoint());
   for (std::size_t length = 0; length < bytes.size(); length += length < 200 ? 1 : 997) {

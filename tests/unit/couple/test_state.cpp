@@ -110,6 +110,10 @@ TEST(Branch, OfAnotherGroundIsRefused) {
   coarse.initialise();
   EXPECT_THROW(Simulation(case_of({"domain.cell_size=0.5 m"}), coarse.state()), InputError);
   EXPECT_THROW(Simulation(case_of({"coupling.skeleton=rigid"}), coarse.state()), InputError);
+  EXPECT_THROW(Simulation(case_of({"coupling.scheme=seepage"}), coarse.state()), InputError);
+  SimulationState torn = coarse.state();
+  std::get<ClockPace>(torn.pace).clock.pressure = {0.0};
+  EXPECT_THROW(Simulation(case_of({}), torn), InputError);
   EXPECT_THROW(
       Simulation(case_of({"walls={left: friction, left_friction: 0.3, right: roller, base: fixed}"}), coarse.state()),
       InputError);

@@ -20,9 +20,9 @@ struct Checkpoint {
 
 /// The content of a checkpoint file, little-endian: the 16 letters "slope checkpoint"; version (8 bytes); length of the
 /// body (8); XXH3 checksum of version, length and body (16, as xxhsum prints it); body. The body has the fields of a
-/// Checkpoint in the order of their lists, each with its name before it; a text or an array begins with its length. So
-/// other programs can read it too, and nothing of it has to be guessed. These 48 bytes stay what they are in all
-/// versions.
+/// Checkpoint in the order of their lists, each with its name before it; a text or an array begins with its length,
+/// what is one of several kinds with the number of its kind. So other programs can read it too, and nothing of it has
+/// to be guessed. These 48 bytes stay what they are in all versions.
 [[nodiscard]] std::string checkpoint_bytes(const Checkpoint& checkpoint);
 /// @param name  of the file, for messages. @throws FileError that says whether it is no checkpoint, cut off, damaged,
 /// or of another version

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <variant>
 #include <vector>
 
 #include "slope/couple/summary.hpp"
@@ -60,6 +61,33 @@ struct ClockState {
   bool operator==(const ClockState&) const = default;
 };
 
+/// How the steps go on of a scheme that moves the soil.
+struct ClockPace {
+  double time_step = 0.0;  ///< of the soil, at most (s)
+  ClockState clock;
+
+  template <class Self, class Visit>
+  static void for_each_field(Self& s, const Visit& visit) {
+    visit("time_step", s.time_step);
+    visit("clock", s.clock);
+  }
+  bool operator==(const ClockPace&) const = default;
+};
+
+/// How the steps of the water alone go on.
+struct WaterPace {
+  double next_step = 1.0;    ///< at most; at first, where the search for it begins (s)
+  double latest_step = 1.0;  ///< (s)
+
+  template <class Self, class Visit>
+  static void for_each_field(Self& s, const Visit& visit) {
+    visit("next_step", s.next_step), visit("latest_step", s.latest_step);
+  }
+  bool operator==(const WaterPace&) const = default;
+};
+
+using PaceState = std::variant<ClockPace, WaterPace>;
+
 /// Of the search for the onset by runaway.
 struct RunawayState {
   struct Sample {
@@ -102,7 +130,6 @@ struct RestState {
 struct ProgressState {
   double time = 0.0;                  ///< simulated (s)
   double clock_factor = 1.0;          ///< of the latest step (-)
-  double time_step = 0.0;             ///< of the soil, at most; of the water alone, the latest (s)
   double latest_step = 0.0;           ///< of the water's time (s)
   double largest_displacement = 0.0;  ///< (m)
   std::size_t farthest_particle = 0;
@@ -115,7 +142,7 @@ struct ProgressState {
   static void for_each_field(Self& s, const Visit& visit) {
     visit("time", s.time);
     visit("clock_factor", s.clock_factor);
-    visit("time_step", s.time_step), visit("latest_step", s.latest_step);
+    visit("latest_step", s.latest_step);
     visit("largest_displacement", s.largest_displacement), visit("farthest_particle", s.farthest_particle);
     visit("steps", s.steps), visit("pressure_iterations", s.pressure_iterations);
     visit("first_storage", s.first_storage);
@@ -133,8 +160,7 @@ struct SimulationState {
   seepage::HeadOperator::State head_operator;
   MixtureState mixture;
   BoundaryState boundary;
-  ClockState clock;
-  double water_step = 0.0;  ///< next step of the water alone (s); of other schemes zero
+  PaceState pace;
   RunawayState runaway;
   RestState rest;
   ProgressState progress;
@@ -147,8 +173,7 @@ struct SimulationState {
     visit("head_operator", s.head_operator);
     visit("mixture", s.mixture);
     visit("boundary", s.boundary);
-    visit("clock", s.clock);
-    visit("water_step", s.water_step);
+    visit("pace", s.pace);
     visit("runaway", s.runaway);
     visit("rest", s.rest);
     visit("progress", s.progress);
