@@ -207,6 +207,7 @@ void check_case(const Input& root, const Case& input) {
     }
     if (root.clean("water_boundaries") && given("initial") && root.clean("coupling")) {
       check_water_table(root.at("initial").at("water"), placed, particles, frame);
+      doubt_levels(water, placed, particles, frame);
     }
   }
   if (given("initial") && given("soils")) check_k0(root, input);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <variant>
 
@@ -185,6 +186,28 @@ void check_water_table(const Input& place, const Case& input, const InitialParti
                         uniform ? "is that of water which stands" : "stands", length_text(*level - ground[1]),
                         length_text(frame.position(ground)[0])));
     return;
+  }
+}
+
+void doubt_levels(const Input& place, const Case& input, const InitialParticles& particles, const Frame& frame) {
+  const double tolerance = particles.spacing;
+  for (std::size_t i = 0; i < input.water_boundaries.size(); ++i) {
+    const WaterBoundary& boundary = input.water_boundaries[i];
+    const auto* reservoir = std::get_if<Reservoir>(&boundary.condition);
+    if (reservoir == nullptr || !boundary.initial || input.scheme == Scheme::seepage) continue;
+    const double outside = reservoir->level.at(0.0);
+    for (const Face& face : faces_at({}, input, particles)) {
+      const Point ground{particles.x[face.particle], particles.y[face.particle] + face.outwards};
+      if (ground[0] < boundary.where.from || ground[0] > boundary.where.to || ground[1] > outside - tolerance) continue;
+      const auto inside = water_level_at(input, ground);
+      if (!inside || std::abs(*inside - outside) <= tolerance) continue;
+      place.item(i).at("reservoir").warning(
+          fmt::format("stands at {} at the start, but the water in the ground under it, at x = {}, at {}; with "
+                      "initial.water of type steady it is what belongs to the reservoir",
+                      length_text(frame.height(outside)), length_text(frame.position(ground)[0]),
+                      length_text(frame.height(*inside))));
+      break;
+    }
   }
 }
 

@@ -26,5 +26,8 @@ void check_reservoirs(const Input& place, const Case& input);
 void check_shores(const Input& place, const Case& input, const InitialParticles& particles, const Frame& frame);
 /// Water above the ground that nothing holds there would fall on the soil as pressure without weight.
 void check_water_table(const Input& place, const Case& input, const InitialParticles& particles, const Frame& frame);
+/// A warning where a reservoir stands at the start and the water in the ground below it stands at another level: the
+/// soil bears the difference from the first moment on.
+void doubt_levels(const Input& place, const Case& input, const InitialParticles& particles, const Frame& frame);
 
 }  // namespace slope::couple
