@@ -133,6 +133,8 @@ void Simulation::Run::check(const SimulationState& state) const {
   const std::size_t n = particles.x.size(), other = state.soil.particles.size();
   if (other != n) refuse("it has " + std::to_string(other) + " particles instead of " + std::to_string(n));
   if (state.soil.particles.soil != mixture.soil.particles().soil) refuse("its soils lie elsewhere");
+  const bool is_within = state.progress.time >= 0.0 && state.progress.time <= input.stop.time;
+  if (!is_within) refuse("it is of a time that this run does not have");
   if (state.mixture.first_volume.empty() == mixture.rigid()) refuse("one skeleton is rigid, the other is not");
   for (const auto* field : {&state.mixture.first_volume, &state.mixture.first_porosity, &state.boundary.first_pressure,
                             &state.boundary.free_surface.x, &state.rest.ux, &state.rest.uy}) {

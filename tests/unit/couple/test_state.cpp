@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "slope/couple/read_case.hpp"
 #include "slope/couple/simulation.hpp"
 
@@ -114,6 +116,11 @@ TEST(Branch, OfAnotherGroundIsRefused) {
   SimulationState torn = coarse.state();
   std::get<ClockPace>(torn.pace).clock.pressure = {0.0};
   EXPECT_THROW(Simulation(case_of({}), torn), InputError);
+  for (const double time : {std::nan(""), -1.0, 1.0e300}) {
+    SimulationState elsewhen = coarse.state();
+    elsewhen.progress.time = time;
+    EXPECT_THROW(Simulation(case_of({}), elsewhen), InputError) << time;
+  }
   EXPECT_THROW(
       Simulation(case_of({"walls={left: friction, left_friction: 0.3, right: roller, base: fixed}"}), coarse.state()),
       InputError);

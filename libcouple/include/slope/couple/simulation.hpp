@@ -103,7 +103,7 @@ class Simulation {
   /// Goes on from a state, with the case that it comes from or one that differs from it: other boundary conditions,
   /// loads, outputs or ends, and the same ground, walls and soils. Instead of initialise(). Histories and snapshots
   /// that lie before the state's time are taken as done; ramps of pressures begin at those before the start.
-  /// @throws InputError if the state is of another ground
+  /// @throws InputError if the state is of another ground, or later than the end of the case
   Simulation(Case input, State state, int threads = 1);
   ~Simulation();
   Simulation(const Simulation& other);
