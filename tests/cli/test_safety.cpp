@@ -94,6 +94,7 @@ TEST_F(SafetyCommand, ARunThatIsInterruptedWhileItSearchesEndsAsIfItWereNot) {
   int interrupted = 0;
   for (int k = 1; k < 12; ++k) {
     Program program(run("pieces", "--resume"), scratch_);
+    while (program.running() && !program.catches(SIGINT)) std::this_thread::sleep_for(std::chrono::milliseconds(1));
     std::this_thread::sleep_for(std::chrono::milliseconds(60 * k));
     if (program.running()) program.signal(SIGINT);
     const Outcome outcome = program.wait();
