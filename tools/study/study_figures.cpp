@@ -45,8 +45,11 @@ std::optional<bool> failed(const Study& study, const RunOutcome& outcome) {
   const Question& question = *std::ranges::find(study.questions, failure.result, &Question::name);
   const auto value = answer(question, outcome);
   if (value) return failure.below ? *value < failure.value : *value > failure.value;
-  // what a run that came to its end does not have did not happen; a factor of safety was not found
-  return outcome.state == RunState::finished && !is_safety(question) ? std::optional(false) : std::nullopt;
+  if (outcome.state == RunState::unfinished) return std::nullopt;
+  // a slope that has slid before its factor of safety could be found has failed, and what a run that came to its end
+  // does not have did not happen
+  if (is_safety(question)) return failed_by_verdict(outcome).value_or(false) ? std::optional(true) : std::nullopt;
+  return outcome.state == RunState::finished ? std::optional(false) : std::nullopt;
 }
 
 FoundParameter found_parameter(const Parameter& parameter, const std::vector<double>& values) {
@@ -150,7 +153,7 @@ StudyRow study_row(const Study& study, const std::vector<double>& sample, const 
   StudyRow row;
   for (std::size_t j = 0; j < sample.size(); ++j) row.parameters.push_back(sample[j] / study.parameters[j].unit_size);
   for (const Question& question : study.questions) row.results.push_back(answer(question, outcome));
-  row.verdict = asks_safety_alone(study) ? "" : std::string(text_of(outcome.verdict));
+  row.verdict = text_of(outcome.verdict);
   if (study.failure) row.failed = failed(study, outcome);
   row.state = outcome.state == RunState::finished ? "finished" : "broke off";
   return row;
@@ -160,6 +163,8 @@ std::optional<FoundFailure> found_failure(const Study& study, const std::vector<
   if (!study.failure) return std::nullopt;
   FoundFailure found;
   found.criterion = study.failure->text;
+  found.result = study.failure->result;
+  if (!found.result.empty()) found.limit = study.failure->value;
   found.interval = interval_text(study.design);
   const std::size_t independent = independent_samples(study, outcomes.size());
   for (std::size_t i = 0; i < independent; ++i) {

@@ -89,6 +89,8 @@ ResultFormat<FoundResult> result_format() {
 ResultFormat<FoundFailure> failure_format() {
   return ResultRecord<FoundFailure>()
       .key("criterion", &FoundFailure::criterion, couple::words(), "what counts as failure")
+      .key("result", &FoundFailure::result, couple::words(), "name of the result that it is of; empty: the verdict")
+      .key("limit", &FoundFailure::limit, number(), "of that result, in its unit; null: the verdict has none")
       .key("runs", &FoundFailure::runs, couple::count(), "number of those in which it is known")
       .key("failed", &FoundFailure::failed, couple::count(), "number of those that failed")
       .key("probability", &FoundFailure::probability, estimate_format(), "of failure: failed over runs")

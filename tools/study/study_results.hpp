@@ -51,7 +51,9 @@ struct FoundResult {
 
 struct FoundFailure {
   std::string criterion;
-  std::size_t runs = 0, failed = 0;  ///< of those in which it is known
+  std::string result;                                       ///< that it is of; empty: the verdict
+  double limit = std::numeric_limits<double>::quiet_NaN();  ///< of that result, in its unit
+  std::size_t runs = 0, failed = 0;                         ///< of those in which it is known
   Estimate probability;
   std::string interval;  ///< how the interval was found
 };

@@ -102,6 +102,17 @@ TEST(StudyFigures, LeaveOutWhatIsNotKnown) {
   EXPECT_EQ(study_row(study, {2.0e3}, outcomes[0]).failed, std::nullopt);
 }
 
+// Left out, such runs would make a slope look safer than it is.
+TEST(StudyFigures, ASlopeThatSlidBeforeItsFactorWasFoundHasFailed) {
+  couple::Summary slid = standing(1.2);
+  slid.safety.pop_back();
+  slid.verdict = couple::Verdict::fails;
+  slid.end_reason = couple::EndReason::displacement;
+  const Study study = study_of(MonteCarlo{.samples = 1}, {"wet < 1", "wet", true, 1.0});
+  EXPECT_EQ(study_row(study, {2.0e3}, outcome(slid)).failed, true);
+  EXPECT_EQ(found_failure(study, {outcome(slid)})->probability.value, 1.0);
+}
+
 TEST(StudyFigures, AGridHasNoIntervals) {
   const Study study = study_of(Grid{2}, by_verdict);
   const std::vector<RunOutcome> outcomes{outcome(standing(1.2)), outcome(standing(1.4))};
