@@ -90,6 +90,7 @@ TEST_F(StudyCommand, GivesTheSameOnAnyNumberOfJobs) {
 
 // Killed again and again, the engine and its runs are left to themselves; none of them is lost or done twice.
 TEST_F(StudyCommand, KilledAndInterruptedAgainAndAgainEndsAsIfItWereNot) {
+  change("block.yaml", "tolerance: 0.05", "tolerance: 0.002");
   ASSERT_EQ(study("whole", {"--quiet"}).exit_code, 0);
   int killed = 0;
   Outcome outcome;
@@ -119,6 +120,23 @@ TEST_F(StudyCommand, TakesUpARunThatWasLostAndLeavesTheOthersAlone) {
   ASSERT_EQ(study("study", {"--quiet"}).exit_code, 0);
   EXPECT_EQ(content_of(path("study") / "study.csv"), before);
   EXPECT_EQ(fs::last_write_time(path("study") / "runs/0003/summary.json"), written);
+}
+
+TEST_F(StudyCommand, ARunThatFailsIsNamedAndKeepsNoOtherFromBeingRun) {
+  ASSERT_EQ(study("whole", {"--quiet"}).exit_code, 0);
+  ASSERT_EQ(study("study", {"--list"}).exit_code, 0);
+  fs::create_directory(path("study") / "runs");
+  std::ofstream(path("study") / "runs/0002") << "in the way";
+  const Outcome outcome = study("study", {"--quiet"});
+  EXPECT_EQ(outcome.exit_code, 130);
+  EXPECT_NE(outcome.errors.find("these runs did not come to their end: runs/0002; the same command goes on"),
+            std::string::npos)
+      << outcome.errors;
+  EXPECT_TRUE(fs::exists(path("study") / "runs/0010/summary.json"));
+  EXPECT_FALSE(fs::exists(path("study") / "study.csv"));
+  fs::remove(path("study") / "runs/0002");
+  ASSERT_EQ(study("study", {"--quiet"}).exit_code, 0);
+  expect_same("whole", "study");
 }
 
 TEST_F(StudyCommand, ListsTheRunsOfABatchForWhoeverRunsThem) {

@@ -203,18 +203,16 @@ class StudyRun {
     const fs::path list = folder_.path() / "jobs.txt";
     write_at_once(list, lines);
     const bool shows = !options_.quiet && isatty(STDERR_FILENO) != 0;
+    std::vector<std::size_t> left = pending;
     run_jobs(list, options_.jobs, [&] {
-      if (shows) show_progress(pending);
+      if (!shows) return;
+      left = unfinished_of(left);
+      std::fputs(fmt::format("\r{} of {} runs", pending.size() - left.size(), pending.size()).c_str(), stderr);
     });
     wait_for_others(folders);
     if (shows) std::fputs("\r\033[K", stderr);
     std::error_code ignored;
     fs::remove(list, ignored);
-  }
-
-  void show_progress(const std::vector<std::size_t>& pending) const {
-    const std::size_t left = unfinished_of(pending).size();
-    std::fputs(fmt::format("\r{} of {} runs", pending.size() - left, pending.size()).c_str(), stderr);
   }
 
   ExitCode tell_unfinished(const std::vector<std::size_t>& samples, const char* why) const {

@@ -58,6 +58,25 @@ TEST(StudyFigures, FindNumbersOfASummaryByTheirKeys) {
   EXPECT_EQ(number_in(document, "onset.time_s", std::nullopt), std::nullopt);
 }
 
+// What was interrupted, killed or damaged is taken up again.
+TEST(StudyFigures, TellFromASummaryWhatHasBecomeOfARun) {
+  const ScratchFolder folder;
+  const auto state_after = [&](couple::EndReason reason) {
+    couple::Summary summary = standing(1.2);
+    summary.end_reason = reason;
+    write_at_once(folder.path() / "summary.json", couple::summary_json(couple::run_summary({}, summary)));
+    return outcome_of(folder.path()).state;
+  };
+  EXPECT_EQ(outcome_of(folder.path()).state, RunState::unfinished);
+  EXPECT_EQ(state_after(couple::EndReason::running), RunState::unfinished);
+  EXPECT_EQ(state_after(couple::EndReason::interrupted), RunState::unfinished);
+  EXPECT_EQ(state_after(couple::EndReason::error), RunState::broke_off);
+  EXPECT_EQ(state_after(couple::EndReason::time), RunState::finished);
+  EXPECT_EQ(state_after(couple::EndReason::displacement), RunState::finished);
+  write_at_once(folder.path() / "summary.json", "{\"program\": \"slope-sim\", \"ver");
+  EXPECT_EQ(outcome_of(folder.path()).state, RunState::unfinished);
+}
+
 TEST(StudyFigures, KnowTheUnitsOfASummary) {
   EXPECT_EQ(summary_number("slide.at_end.area_m2").unit, "m2");
   EXPECT_EQ(summary_number("factor_of_safety.factor").unit, "-");
