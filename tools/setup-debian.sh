@@ -7,6 +7,7 @@ packages=(
   build-essential cmake ninja-build
   libeigen3-dev libtbb-dev libfmt-dev libyaml-cpp-dev libxxhash-dev
   libvtk9-dev libosmesa6-dev libcli11-dev fonts-dejavu-core
+  libopenturns-dev
   libgtest-dev libbenchmark-dev
   "$@"
 )
@@ -15,7 +16,8 @@ if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
   cat >&2 <<'TEXT'
 This script knows Debian 12 and systems like it (apt-get). On another system, install these yourself:
   a C++20 compiler (GCC 12 or later), CMake 3.25 or later, Ninja,
-  Eigen 3.4, oneTBB 2021, fmt 9, yaml-cpp 0.7, xxHash 0.8, VTK 9.1 or later, OSMesa, CLI11 2, the DejaVu fonts, GoogleTest, Google Benchmark.
+  Eigen 3.4, oneTBB 2021, fmt 9, yaml-cpp 0.7, xxHash 0.8, VTK 9.1 or later, OSMesa, CLI11 2, the DejaVu fonts,
+  OpenTURNS 1.20 or later, GoogleTest, Google Benchmark.
 Then build and test with
   cmake --preset release && cmake --build --preset release && ctest --preset release
 TEXT

@@ -31,6 +31,9 @@ endforeach()
 foreach(library IN ITEMS libsolid libseepage)
   forbid("${ROOT}/${library}/*.[ch]pp" "#include *[<\"](fmt/|yaml-cpp/)" "fmt and yaml-cpp are private to libcouple")
 endforeach()
+foreach(room IN ITEMS libsolid libseepage libcouple tools/common tools/slope-sim tools/slope-render)
+  forbid("${ROOT}/${room}/*.[ch]pp" "#include *[<\"]openturns/" "OpenTURNS lives in tools/study")
+endforeach()
 # libcouple has three rooms: the case, text to values, knows of the run and the results nothing and of the solvers their
 # parameters; the results, what was found to text and back, know of the run nothing.
 set(upwards "#include *[<\"](results/|run/|\\.\\./|slope/couple/(checkpoint|results|simulation|state|summary|water_amounts)|slope/(solid|seepage)/([^s]|s[^o]))")

@@ -64,6 +64,14 @@ void Program::signal(int number) const {
   kill(id_, number);
 }
 
+bool Program::catches(int number) const {
+  std::ifstream status("/proc/" + std::to_string(id_) + "/status");
+  for (std::string line; std::getline(status, line);) {
+    if (line.starts_with("SigCgt:")) return (std::stoull(line.substr(7), nullptr, 16) >> (number - 1) & 1U) != 0;
+  }
+  return false;
+}
+
 bool Program::running() {
   if (!ended_) ended_ = waitpid(id_, &status_, WNOHANG) != 0;
   return !ended_;

@@ -27,6 +27,8 @@ class Program {
   Program& operator=(const Program&) = delete;
 
   void signal(int number) const;
+  /// Whether it has come so far that it does something of its own on a signal.
+  [[nodiscard]] bool catches(int number) const;
   [[nodiscard]] bool running();
   /// Waits for the end.
   Outcome wait();

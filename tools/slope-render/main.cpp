@@ -14,6 +14,7 @@
 #include "run_figures.hpp"
 #include "slope/couple/read_case.hpp"
 #include "standard_streams.hpp"
+#include "study_pictures.hpp"
 
 namespace {
 
@@ -64,6 +65,14 @@ int draw_run(const fs::path& folder, const std::string& out, PictureOptions opti
   return worse(read, tell(pictures.losses));
 }
 
+int draw_study(const fs::path& folder, const std::string& out, int width) {
+  Losses losses;
+  for (const auto& file : write_study_pictures(folder, out_or(out, folder / "figures"), width, losses)) {
+    say(file.string() + "\n");
+  }
+  return tell(losses);
+}
+
 int draw_paper(const std::vector<std::string>& folders, const std::string& out, int width) {
   const PaperRuns runs = read_paper_runs({folders.begin(), folders.end()});
   for (const auto& [name, run] : runs.runs) tell(run.notes);
@@ -111,7 +120,9 @@ int animate(const fs::path& folder, const std::string& out, const PictureOptions
 int main(int argc, char** argv) {
   open_standard_streams();
   survive_failed_writes();
-  CLI::App app("Draws the pictures of a run of slope-sim: contours, histories and profiles.", "slope-render");
+  CLI::App app(
+      "Draws the pictures of a run of slope-sim, contours, histories and profiles, or of a study of many runs.",
+      "slope-render");
   app.footer(
       "Exit codes: 0 done, 1 a fault of the program, 2 bad arguments or case, 4 a file cannot be read or written.\n"
       "Of a folder that is damaged, what can be drawn is drawn, and the rest is named.");
@@ -121,7 +132,9 @@ int main(int argc, char** argv) {
   bool paper = false;
   bool animation = false;
   bool comparison = false;
-  app.add_option("DIR", folders, "Output folder of slope-sim; with --paper or --compare, one or more")->required();
+  app.add_option("DIR", folders,
+                 "Output folder of slope-sim run, safety or study; with --paper or --compare, one or more")
+      ->required();
   auto* out_option = app.add_option(
       "-o,--out", out, "Folder for the pictures (default: DIR/figures); with --compare, the file to write");
   app.add_option("--width", options.width, "Width of the pictures in pixels")
@@ -175,10 +188,11 @@ int main(int argc, char** argv) {
   }
 
   try {
-    const int code = paper        ? draw_paper(folders, out, options.width)
-                     : comparison ? compare(folders, out)
-                     : animation  ? animate(folders.front(), out, options)
-                                  : draw_run(folders.front(), out, options);
+    const int code = paper                          ? draw_paper(folders, out, options.width)
+                     : comparison                   ? compare(folders, out)
+                     : holds_study(folders.front()) ? draw_study(folders.front(), out, options.width)
+                     : animation                    ? animate(folders.front(), out, options)
+                                                    : draw_run(folders.front(), out, options);
     flush_output();
     return code;
   } catch (const slope::couple::FileError& error) {

@@ -4,18 +4,23 @@
 #include <cmath>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
+#include <map>
 #include <new>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "profile_file.hpp"
+#include "read_study.hpp"
 #include "run.hpp"
 #include "slope/couple/geometry.hpp"
 #include "slope/couple/read_case.hpp"
 #include "slope/couple/results.hpp"
 #include "standard_streams.hpp"
 #include "starter_case.hpp"
+#include "study_results.hpp"
+#include "study_run.hpp"
 
 namespace {
 
@@ -59,6 +64,26 @@ void add_running(CLI::App& command, slope::tools::RunOptions& options) {
   command.add_flag("--quiet", options.quiet, "No progress, no summary");
 }
 
+void add_study(CLI::App& app, slope::tools::StudyOptions& study) {
+  CLI::App* command = app.add_subcommand("study", "Runs a case many times with parameters that are not known for sure");
+  command->add_option("STUDY", study.file, "Study file (YAML)")->required();
+  command->add_option("-o,--output", study.folder, "Output folder; a study in it goes on where it was left")
+      ->required();
+  command->add_option("-j,--jobs", study.jobs.at_once, "Number of runs at once; the result does not depend on it")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  const std::map<std::string, slope::tools::Engine> engines{{"xargs", slope::tools::Engine::xargs},
+                                                            {"parallel", slope::tools::Engine::parallel}};
+  command->add_option("--engine", study.jobs.engine, "What starts the runs: xargs (default) or GNU parallel")
+      ->transform(CLI::CheckedTransformer(engines))
+      ->option_text("{xargs,parallel}");
+  command->add_flag(
+      "--list", study.lists,
+      "Prints the commands of the runs to come, one a line, instead of running them: for GNU parallel, or "
+      "an array of jobs; afterwards the same command without it tells the result");
+  command->add_flag("--quiet", study.quiet, "No progress, no results on the standard output");
+}
+
 ExitCode fail(const std::exception& error, ExitCode code) {
   std::fprintf(stderr, "%s\n", error.what());
   return code;
@@ -67,13 +92,22 @@ ExitCode fail(const std::exception& error, ExitCode code) {
 /// Of the commands that make a file, or print what one should hold.
 struct FileOptions {
   std::string poly_line, profile, starter;
-  bool of_results = false;
+  bool of_results = false, of_study = false;
 };
 
-ExitCode execute(const CLI::App& app, const slope::tools::RunOptions& options, const FileOptions& files) {
+std::string schema_of(const FileOptions& files) {
+  if (files.of_study) return files.of_results ? slope::tools::study_results_schema() : slope::tools::study_schema();
+  return files.of_results ? slope::couple::summary_schema() : slope::couple::case_schema();
+}
+
+ExitCode execute(const CLI::App& app, const slope::tools::RunOptions& options, const FileOptions& files,
+                 const slope::tools::StudyOptions& study) {
   try {
     if (app.got_subcommand("schema")) {
-      slope::tools::say(files.of_results ? slope::couple::summary_schema() : slope::couple::case_schema());
+      slope::tools::say(schema_of(files));
+    } else if (app.got_subcommand("study")) {
+      const ExitCode code = slope::tools::run_study(study);
+      if (code != ExitCode::fine) return code;
     } else if (app.got_subcommand("check")) {
       check(options.case_file.string(), options.overrides);
     } else if (app.got_subcommand("new")) {
@@ -131,12 +165,18 @@ int main(int argc, char** argv) {
   safety->add_option("--at", times, "Times, such as \"0 h, 18 h\"; without them those of the case, or the start");
   safety->add_option("--tolerance", tolerance, "Width of the bracket over the factor; without it that of the case");
   safety->add_option("-o,--output", folder, "Output folder, as of run; without it nothing is kept");
-  safety->add_flag("--overwrite", overwrites, "Replaces an earlier run in the folder");
+  overwrite = safety->add_flag("--overwrite", overwrites, "Replaces an earlier run in the folder");
+  safety->add_flag("--resume", resumes, "Goes on with an earlier run in the folder, or begins if there is none")
+      ->excludes(overwrite);
   add_running(*safety, options);
   CLI::App* check = app.add_subcommand("check", "Says what is wrong with a case, or that it is fine");
   add_case(*check, case_file, options.overrides);
-  app.add_subcommand("schema", "Prints the JSON Schema of case files")
-      ->add_flag("--results", files.of_results, "Of summary.json instead: unit, sign and meaning of each of its keys");
+  slope::tools::StudyOptions study;
+  add_study(app, study);
+  CLI::App* schema = app.add_subcommand("schema", "Prints the JSON Schema of case files");
+  schema->add_flag("--results", files.of_results,
+                   "Of summary.json instead: unit, sign and meaning of each of its keys");
+  schema->add_flag("--study", files.of_study, "Of study files, or with --results of study.json");
   CLI::App* starter = app.add_subcommand("new", "Writes a small, commented case to start from");
   starter->add_option("FILE", files.starter, "Case file to write; an existing one is left alone")->required();
   CLI::App* profile = app.add_subcommand("profile", "Turns a VTK poly-line into a table for geometry.surface");
@@ -157,5 +197,6 @@ int main(int argc, char** argv) {
     if (!tolerance.empty()) options.overrides.push_back("safety.tolerance=" + tolerance);
     options.tells_safety = true;
   }
-  return static_cast<int>(execute(app, options, files));
+  study.program = std::filesystem::read_symlink("/proc/self/exe");
+  return static_cast<int>(execute(app, options, files, study));
 }

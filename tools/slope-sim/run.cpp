@@ -95,6 +95,7 @@ class Run {
     const bool goes_on = writer_.checkpoint() && started(*writer_.checkpoint());
     const bool over = goes_on && is_over();
     if (over && !simulation_.asks_for_safety()) {
+      if (!has_summary()) write_summary();
       progress_.say(fmt::format("{}: the run has come to its end already", writer_.folder().string()));
       return ExitCode::fine;
     }
@@ -306,6 +307,16 @@ class Run {
   }
 
   void write_summary() { writer_.write_summary(summary()); }
+
+  /// Whether the folder has one that is whole.
+  [[nodiscard]] bool has_summary() const {
+    try {
+      static_cast<void>(couple::read_summary(writer_.folder() / "summary.json"));
+      return true;
+    } catch (const couple::FileError&) {
+      return false;
+    }
+  }
 
   const RunOptions& options_;
   std::vector<couple::Problem> warnings_;  // of the case

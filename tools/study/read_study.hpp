@@ -1,0 +1,22 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "slope/couple/read_case.hpp"
+#include "study.hpp"
+
+namespace slope::tools {
+
+/// Reads and checks a study file, and the case that it names.
+/// @throws couple::InputError naming every problem of both; couple::FileError if a file cannot be read.
+[[nodiscard]] StudyInput read_study(const std::filesystem::path& file);
+
+/// The study with every default written out; two studies with the same text have the same samples and results.
+[[nodiscard]] std::string resolved_yaml(const StudyInput& input);
+
+/// JSON Schema (draft 2020-12) of study files.
+[[nodiscard]] std::string study_schema();
+
+}  // namespace slope::tools
