@@ -16,7 +16,10 @@ std::filesystem::path shipped_cases() {
 std::vector<std::filesystem::path> shipped_case_files() {
   std::vector<std::filesystem::path> files;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(shipped_cases())) {
-    if (entry.path().extension() == ".yaml" && entry.path().filename() != "soils.yaml") files.push_back(entry.path());
+    const std::filesystem::path& file = entry.path();
+    if (file.extension() != ".yaml" || file.filename() == "soils.yaml" || file.parent_path().stem() == "studies")
+      continue;
+    files.push_back(file);
   }
   std::sort(files.begin(), files.end());
   return files;
