@@ -181,6 +181,18 @@ TEST_F(StudyCommand, StopsWhenTheIntervalIsNarrowEnough) {
   EXPECT_LT(rows, 20u);
 }
 
+TEST_F(StudyCommand, GoesOnWithMoreSamplesOfMonteCarlo) {
+  ASSERT_EQ(study("whole", {"--quiet"}).exit_code, 0);
+  change("study.yaml", "samples: 20", "samples: 7");
+  ASSERT_EQ(study("more", {"--quiet"}).exit_code, 0);
+  EXPECT_EQ(lines_of(content_of(path("more") / "study.csv")).size(), 8u);
+  const auto written = fs::last_write_time(path("more") / "runs/0003/summary.json");
+  change("study.yaml", "samples: 7", "samples: 20");
+  ASSERT_EQ(study("more", {"--quiet"}).exit_code, 0);
+  expect_same("whole", "more");
+  EXPECT_EQ(fs::last_write_time(path("more") / "runs/0003/summary.json"), written);
+}
+
 TEST_F(StudyCommand, RefusesAFolderOfAnotherStudyOrOfSomethingElse) {
   ASSERT_EQ(study("study", {"--list"}).exit_code, 0);
   change("study.yaml", "seed: 3", "seed: 4");

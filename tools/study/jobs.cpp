@@ -26,8 +26,7 @@ constexpr auto between_looks = std::chrono::seconds(1);
 std::vector<std::string> words_of(const JobOptions& options) {
   const std::string at_once = std::to_string(options.at_once);
   if (options.engine == Engine::parallel) {
-    return {"parallel", "--will-cite", "--halt", "never", "--termseq", "TERM,10000,KILL,25",
-            "--jobs",   at_once};
+    return {"parallel", "--will-cite", "--halt", "never", "--termseq", "TERM,10000,KILL,25", "--jobs", at_once};
   }
   return {"xargs", "-d", "\\n", "-P", at_once, "-I", "{}", "sh", "-c", "{} || :"};
 }
