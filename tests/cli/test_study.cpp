@@ -110,6 +110,22 @@ TEST_F(StudyCommand, KilledAndInterruptedAgainAndAgainEndsAsIfItWereNot) {
   expect_same("whole", "pieces");
 }
 
+TEST_F(StudyCommand, ARunThatIsInterruptedGoesOnFromItsCheckpoint) {
+  change("block.yaml", "stop: {time: 0.1 s}", "stop: {time: 20 s}\nclock: {adaptive: false}");
+  change("study.yaml", "factor: {key: factor_of_safety.factor}", "moved: {key: largest_displacement_m}");
+  change("study.yaml", "failure: factor < 1.3", "failure: verdict");
+  change("study.yaml", "samples: 20, batch: 10", "samples: 2");
+  ASSERT_EQ(study("whole", {"--quiet"}).exit_code, 0);
+  Program program(words("study", {"--quiet"}), scratch_.path());
+  const auto has_begun = [&] { return fs::exists(path("study") / "runs/0001/particles_0000.vtp"); };
+  while (program.running() && !has_begun()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  program.signal(SIGINT);
+  EXPECT_EQ(program.wait().exit_code, 130);
+  ASSERT_EQ(study("study", {"--quiet"}).exit_code, 0);
+  EXPECT_NE(content_of(path("study") / "runs/0001/log.txt").find("resumed at "), std::string::npos);
+  expect_same("whole", "study");
+}
+
 TEST_F(StudyCommand, TakesUpARunThatWasLostAndLeavesTheOthersAlone) {
   ASSERT_EQ(study("study", {"--quiet"}).exit_code, 0);
   const std::string before = content_of(path("study") / "study.csv");
@@ -163,6 +179,18 @@ TEST_F(StudyCommand, StopsWhenTheIntervalIsNarrowEnough) {
   EXPECT_EQ(rows % 5, 0u);
   EXPECT_GT(rows, 5u);
   EXPECT_LT(rows, 20u);
+}
+
+TEST_F(StudyCommand, GoesOnWithMoreSamplesOfMonteCarlo) {
+  ASSERT_EQ(study("whole", {"--quiet"}).exit_code, 0);
+  change("study.yaml", "samples: 20", "samples: 7");
+  ASSERT_EQ(study("more", {"--quiet"}).exit_code, 0);
+  EXPECT_EQ(lines_of(content_of(path("more") / "study.csv")).size(), 8u);
+  const auto written = fs::last_write_time(path("more") / "runs/0003/summary.json");
+  change("study.yaml", "samples: 7", "samples: 20");
+  ASSERT_EQ(study("more", {"--quiet"}).exit_code, 0);
+  expect_same("whole", "more");
+  EXPECT_EQ(fs::last_write_time(path("more") / "runs/0003/summary.json"), written);
 }
 
 TEST_F(StudyCommand, RefusesAFolderOfAnotherStudyOrOfSomethingElse) {

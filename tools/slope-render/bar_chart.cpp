@@ -16,18 +16,18 @@ double row_height(const BarChart& chart) {
   return bar_height * static_cast<double>(chart.kinds.size()) + row_gap;
 }
 
-/// The interval of a bar: a line with a tick at either end that is known.
+/// The interval of a bar: a line with a tick at either end that is known and within the frame.
 void draw_interval(Canvas& canvas, const PlotFrame& frame, const Bar& bar, double y) {
   const double em = canvas.em();
-  const auto place = [&](double value) {
-    return frame.at(std::clamp(value, frame.x.low, frame.x.high), frame.y.low).x;
-  };
-  const double left = place(std::isnan(bar.lower) ? bar.value : bar.lower);
-  const double right = place(std::isnan(bar.upper) ? bar.value : bar.upper);
-  if (right - left < 1.0) return;
   const LineStyle line{0.08 * em, ink, {}};
-  canvas.stroke({{left, y}, {right, y}}, line);
-  for (const double x : {left, right}) canvas.stroke({{x, y - 0.2 * em}, {x, y + 0.2 * em}}, line);
+  std::vector<Pixel> ends;
+  for (const double end : {bar.lower, bar.upper}) {
+    const double shown = std::clamp(std::isnan(end) ? bar.value : end, frame.x.low, frame.x.high);
+    ends.push_back({frame.at(shown, frame.y.low).x, y});
+    const double x = ends.back().x;
+    if (shown == end) canvas.stroke({{x, y - 0.2 * em}, {x, y + 0.2 * em}}, line);
+  }
+  if (ends[1].x - ends[0].x >= 1.0) canvas.stroke(ends, line);
 }
 
 void draw_row(Canvas& canvas, const PlotFrame& frame, const BarRow& row, double top) {

@@ -69,7 +69,7 @@ BarChart tornado_chart(const StudyResults& study, const FoundResult& result) {
 }
 
 BarChart indices_chart(const StudyResults& study, const FoundResult& result) {
-  BarChart chart{title_of(study, result),
+  BarChart chart{fmt::format("{}: {}, {} runs", study.title, result.name, study.runs),
                  "Share of the variance of " + result.name + " (-), with 95 % intervals",
                  {-0.2, 1.2},
                  {"explained alone (Sobol', first order)", "explained with the others (Sobol', total)"},

@@ -5,7 +5,6 @@
 #include <cstdio>
 #include <exception>
 #include <filesystem>
-#include <map>
 #include <new>
 #include <stdexcept>
 #include <string>
@@ -64,7 +63,7 @@ void add_running(CLI::App& command, slope::tools::RunOptions& options) {
   command.add_flag("--quiet", options.quiet, "No progress, no summary");
 }
 
-void add_study(CLI::App& app, slope::tools::StudyOptions& study) {
+void add_study(CLI::App& app, slope::tools::StudyOptions& study, std::string& engine) {
   CLI::App* command = app.add_subcommand("study", "Runs a case many times with parameters that are not known for sure");
   command->add_option("STUDY", study.file, "Study file (YAML)")->required();
   command->add_option("-o,--output", study.folder, "Output folder; a study in it goes on where it was left")
@@ -72,11 +71,9 @@ void add_study(CLI::App& app, slope::tools::StudyOptions& study) {
   command->add_option("-j,--jobs", study.jobs.at_once, "Number of runs at once; the result does not depend on it")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
-  const std::map<std::string, slope::tools::Engine> engines{{"xargs", slope::tools::Engine::xargs},
-                                                            {"parallel", slope::tools::Engine::parallel}};
-  command->add_option("--engine", study.jobs.engine, "What starts the runs: xargs (default) or GNU parallel")
-      ->transform(CLI::CheckedTransformer(engines))
-      ->option_text("{xargs,parallel}");
+  command->add_option("--engine", engine, "What starts the runs: xargs, or GNU parallel")
+      ->check(CLI::IsMember({"xargs", "parallel"}))
+      ->capture_default_str();
   command->add_flag(
       "--list", study.lists,
       "Prints the commands of the runs to come, one a line, instead of running them: for GNU parallel, or "
@@ -172,7 +169,8 @@ int main(int argc, char** argv) {
   CLI::App* check = app.add_subcommand("check", "Says what is wrong with a case, or that it is fine");
   add_case(*check, case_file, options.overrides);
   slope::tools::StudyOptions study;
-  add_study(app, study);
+  std::string engine = "xargs";
+  add_study(app, study, engine);
   CLI::App* schema = app.add_subcommand("schema", "Prints the JSON Schema of case files");
   schema->add_flag("--results", files.of_results,
                    "Of summary.json instead: unit, sign and meaning of each of its keys");
@@ -197,6 +195,7 @@ int main(int argc, char** argv) {
     if (!tolerance.empty()) options.overrides.push_back("safety.tolerance=" + tolerance);
     options.tells_safety = true;
   }
+  if (engine == "parallel") study.jobs.engine = slope::tools::Engine::parallel;
   study.program = std::filesystem::read_symlink("/proc/self/exe");
   return static_cast<int>(execute(app, options, files, study));
 }

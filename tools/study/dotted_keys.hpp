@@ -49,5 +49,6 @@ struct SummaryNumber {
 
 /// Under which the summary has its factors of safety.
 inline constexpr std::string_view safety_key = "factor_of_safety";
+inline constexpr std::string_view factor_key = "factor_of_safety.factor";
 
 }  // namespace slope::tools

@@ -26,8 +26,7 @@ constexpr auto between_looks = std::chrono::seconds(1);
 std::vector<std::string> words_of(const JobOptions& options) {
   const std::string at_once = std::to_string(options.at_once);
   if (options.engine == Engine::parallel) {
-    return {"parallel", "--will-cite", "--halt", "never", "--termseq", "INT,10000,TERM,1000,KILL,25",
-            "--jobs",   at_once};
+    return {"parallel", "--will-cite", "--halt", "never", "--termseq", "TERM,10000,KILL,25", "--jobs", at_once};
   }
   return {"xargs", "-d", "\\n", "-P", at_once, "-I", "{}", "sh", "-c", "{} || :"};
 }
@@ -81,7 +80,7 @@ void run_jobs(const std::filesystem::path& file, const JobOptions& options, cons
   auto last = std::chrono::steady_clock::now();
   while (waitpid(engine, &status, WNOHANG) == 0) {
     if (interrupted() && !told) {
-      kill(-engine, SIGINT);
+      kill(-engine, SIGTERM);  // an interruption may be ignored, as by what a shell starts in the background
       told = true;
     }
     if (std::chrono::steady_clock::now() - last > between_looks) {

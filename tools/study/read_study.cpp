@@ -8,6 +8,7 @@
 #include <set>
 
 #include "case/units.hpp"
+#include "design.hpp"
 #include "distributions.hpp"
 #include "slope/couple/text_file.hpp"
 #include "study_format.hpp"
@@ -274,6 +275,18 @@ StudyInput read_study(const fs::path& file) {
 std::string resolved_yaml(const StudyInput& input) {
   const CaseNumbers numbers(input.base);
   return couple::yaml_text(study_format(&numbers).write(input.study));
+}
+
+std::string lasting_part(const std::string& resolved) {
+  std::vector<Problem> problems;
+  Document study = couple::parse_yaml(resolved, "", problems, {"study", "YAML"});
+  Document* design = study.find("design");
+  const Document* type = design != nullptr ? design->find("type") : nullptr;
+  if (type != nullptr && type->value == name_of(MonteCarlo{})) {
+    std::erase_if(design->children,
+                  [](const Document& entry) { return entry.key == "samples" || entry.key == "interval_width"; });
+  }
+  return couple::yaml_text(study);
 }
 
 std::string study_schema() {

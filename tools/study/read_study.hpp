@@ -16,6 +16,10 @@ namespace slope::tools {
 /// The study with every default written out; two studies with the same text have the same samples and results.
 [[nodiscard]] std::string resolved_yaml(const StudyInput& input);
 
+/// The part of such a text that a study which goes on has to keep: all but how many samples of Monte Carlo it takes at
+/// most, and how narrow the interval has to be.
+[[nodiscard]] std::string lasting_part(const std::string& resolved);
+
 /// JSON Schema (draft 2020-12) of study files.
 [[nodiscard]] std::string study_schema();
 

@@ -18,10 +18,37 @@ bool is_safety(const Question& question) {
   return words_of(question.key).front() == safety_key;
 }
 
-/// Of a run that broke off, no more than the factors of safety until then are known.
+/// The strength that the slope bore, and that it did not, when its factor of safety was looked for; none: not with all
+/// that was tried.
+struct Bracket {
+  std::optional<double> lower, upper;
+};
+
+Bracket bracket_of(const Question& question, const RunOutcome& outcome) {
+  const auto end = [&](const char* name) {
+    return number_in(outcome.summary, fmt::format("{}.{}", safety_key, name), question.at);
+  };
+  Bracket bracket{end("lower"), end("upper")};
+  if (bracket.lower == 0.0) bracket.lower.reset();
+  return bracket;
+}
+
+/// Of a run that broke off, no more than the factors of safety until then are known, and of these none that has no
+/// bracket, as that of a slope which slides already.
 std::optional<double> answer(const Question& question, const RunOutcome& outcome) {
   if (outcome.state == RunState::broke_off && !is_safety(question)) return std::nullopt;
+  if (is_safety(question)) {
+    const Bracket bracket = bracket_of(question, outcome);
+    if (!bracket.lower || !bracket.upper) return std::nullopt;
+  }
   return number_in(outcome.summary, question.key, question.at);
+}
+
+/// Whether a factor of safety without a bracket lies below a limit, where its one end tells.
+std::optional<bool> lies_below(double limit, const Bracket& bracket) {
+  if (bracket.upper && *bracket.upper <= limit) return true;
+  if (bracket.lower && *bracket.lower >= limit) return false;
+  return std::nullopt;
 }
 
 std::optional<bool> failed_by_verdict(const RunOutcome& outcome) {
@@ -46,9 +73,14 @@ std::optional<bool> failed(const Study& study, const RunOutcome& outcome) {
   const auto value = answer(question, outcome);
   if (value) return failure.below ? *value < failure.value : *value > failure.value;
   if (outcome.state == RunState::unfinished) return std::nullopt;
-  // a slope that has slid before its factor of safety could be found has failed, and what a run that came to its end
-  // does not have did not happen
-  if (is_safety(question)) return failed_by_verdict(outcome).value_or(false) ? std::optional(true) : std::nullopt;
+  if (question.key == factor_key) {
+    const auto below = lies_below(failure.value, bracket_of(question, outcome));
+    if (below) return *below == failure.below;
+    // it has slid before its factor of safety could be found
+    if (failure.below && failed_by_verdict(outcome).value_or(false)) return true;
+  }
+  if (is_safety(question)) return std::nullopt;
+  // what a run that came to its end does not have did not happen
   return outcome.state == RunState::finished ? std::optional(false) : std::nullopt;
 }
 
@@ -132,6 +164,10 @@ std::string estimate_text(const Estimate& estimate) {
   return fmt::format("{} ({} to {})", value, end(estimate.lower), end(estimate.upper));
 }
 
+std::string coefficient_text(double coefficient) {
+  return std::isnan(coefficient) ? "?" : fmt::format("{:.2f}", coefficient);
+}
+
 std::string influence_text(const std::vector<Influence>& influences) {
   std::vector<Influence> sorted = influences;
   std::ranges::stable_sort(sorted, std::greater{}, [](const Influence& one) {
@@ -139,8 +175,8 @@ std::string influence_text(const std::vector<Influence>& influences) {
   });
   std::string text;
   for (const Influence& one : sorted) {
-    text += fmt::format("{}{} {:.2f} (partial {:.2f})", text.empty() ? "" : ", ", one.parameter, one.rank_correlation,
-                        one.partial_rank_correlation);
+    text += fmt::format("{}{} {} (partial {})", text.empty() ? "" : ", ", one.parameter,
+                        coefficient_text(one.rank_correlation), coefficient_text(one.partial_rank_correlation));
     if (one.total)
       text += fmt::format(" with Sobol' indices {:.2f} and {:.2f}", one.first_order->value, one.total->value);
   }
@@ -202,7 +238,9 @@ std::string study_report(const StudyResults& results) {
   const auto line = [&text](std::string_view name, const std::string& content) {
     text += fmt::format("  {:<15}  {}\n", name, content);
   };
-  line("runs", fmt::format("{} of the design {}, seed {}{}", results.runs, results.design, results.seed,
+  const bool seeded = results.design != name_of(Grid{});
+  line("runs", fmt::format("{} of the design {}{}{}", results.runs, results.design,
+                           seeded ? fmt::format(", seed {}", results.seed) : "",
                            results.broken > 0 ? fmt::format("; {} broke off", results.broken) : ""));
   if (const auto& failure = results.failure) {
     line("failure",

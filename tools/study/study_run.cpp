@@ -31,8 +31,8 @@ constexpr const char* case_name = "case.yaml";
 constexpr std::size_t most_bytes = 4'000'000;
 
 /// Refuses a folder that holds something else, or another study.
-void require_same(const fs::path& file, const std::string& text, const char* what) {
-  if (couple::read_text_file(file, most_bytes) == text) return;
+void require(bool same, const fs::path& file, const char* what) {
+  if (same) return;
   throw couple::FileError(fmt::format(
       "{}: {} has changed since the study in this folder was begun; choose another folder, or remove this one",
       file.string(), what));
@@ -43,13 +43,16 @@ class StudyFolder {
  public:
   StudyFolder(const fs::path& folder, const StudyInput& input) : path_(made(folder)), lock_(path_) {
     const std::string study = resolved_yaml(input), base = couple::resolved_yaml(input.base);
-    if (!fs::exists(path_ / study_name)) {
+    const fs::path study_file = path_ / study_name, case_file = path_ / case_name;
+    const auto content = [](const fs::path& file) { return couple::read_text_file(file, most_bytes); };
+    if (fs::exists(study_file)) {
+      require(lasting_part(content(study_file)) == lasting_part(study), study_file, "the study");
+      if (fs::exists(case_file)) require(content(case_file) == base, case_file, "the case");
+    } else {
       require_empty();
-      write_at_once(path_ / study_name, study);
     }
-    require_same(path_ / study_name, study, "the study");
-    if (!fs::exists(path_ / case_name)) write_at_once(path_ / case_name, base);
-    require_same(path_ / case_name, base, "the case");
+    write_at_once(study_file, study);
+    write_at_once(case_file, base);
   }
 
   [[nodiscard]] const fs::path& path() const { return path_; }

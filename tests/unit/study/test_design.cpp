@@ -61,6 +61,15 @@ TEST(Design, TheSameSeedGivesTheSameSamplesAndAnotherOthers) {
   }
 }
 
+// So that a study can go on with more of them.
+TEST(Design, MoreSamplesOfMonteCarloBeginWithTheSame) {
+  const Correlation given{{"cohesion", "friction"}, 0.5, std::nullopt};
+  const Samples few = samples_of(study_of(MonteCarlo{.samples = 20}, {given}));
+  Samples more = samples_of(study_of(MonteCarlo{.samples = 75}, {given}));
+  more.resize(20);
+  EXPECT_EQ(more, few);
+}
+
 TEST(Design, MonteCarloHasTheMomentsOfTheDistributions) {
   constexpr int n = 4000;
   const Samples samples = samples_of(study_of(MonteCarlo{.samples = n}));

@@ -33,8 +33,9 @@ couple::Summary standing(double wet) {
   summary.verdict = couple::Verdict::stands;
   summary.end_reason = couple::EndReason::time;
   summary.safety.resize(2);
-  summary.safety[0].factor = 1.5;
-  summary.safety[1].time = 3600.0, summary.safety[1].factor = wet;
+  summary.safety[0].factor = 1.5, summary.safety[0].lower = 1.49, summary.safety[0].upper = 1.51;
+  summary.safety[1].factor = wet, summary.safety[1].lower = 0.99 * wet, summary.safety[1].upper = 1.01 * wet;
+  summary.safety[1].time = 3600.0;
   return summary;
 }
 
@@ -130,6 +131,24 @@ TEST(StudyFigures, ASlopeThatSlidBeforeItsFactorWasFoundHasFailed) {
   const Study study = study_of(MonteCarlo{.samples = 1}, {"wet < 1", "wet", true, 1.0});
   EXPECT_EQ(study_row(study, {2.0e3}, outcome(slid)).failed, true);
   EXPECT_EQ(found_failure(study, {outcome(slid)})->probability.value, 1.0);
+}
+
+// The middle of a bracket that was not found is no factor: of a slope that slides already, or of one that nothing
+// moves.
+TEST(StudyFigures, AFactorWithoutABracketCountsForFailureAlone) {
+  couple::Summary slides = standing(0.01), firm = standing(20.0);
+  slides.safety[1].lower = 0.0, slides.safety[1].upper = 0.02;
+  firm.safety[1].lower = 20.0, firm.safety[1].upper.reset();
+  const std::vector<RunOutcome> outcomes{outcome(slides), outcome(firm), outcome(standing(1.2))};
+  const Samples samples{{1.0e3}, {2.0e3}, {3.0e3}};
+  const Study below = study_of(MonteCarlo{.samples = 3}, {"wet < 1", "wet", true, 1.0});
+  const StudyResults results = study_results(below, samples, outcomes);
+  EXPECT_EQ(results.results[0].runs, 1u);
+  EXPECT_NEAR(results.results[0].mean.value, 1.2, 1.0e-12);
+  EXPECT_EQ(results.failure->runs, 3u);
+  EXPECT_EQ(results.failure->failed, 1u);
+  EXPECT_EQ(study_row(below, samples[0], outcomes[0]).results[0], std::nullopt);
+  EXPECT_EQ(found_failure(study_of(MonteCarlo{.samples = 3}, {"wet > 1.3", "wet", false, 1.3}), outcomes)->failed, 1u);
 }
 
 TEST(StudyFigures, AGridHasNoIntervals) {
