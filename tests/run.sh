@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds, and runs every test but the long ones. Usage: tests/run.sh [ctest option...]
-# With CI set, warnings are errors, the formatting must have been checked, and the unit tests of the libraries run under
-# the sanitizers too.
+# With CI set, warnings are errors, the formatting must have been checked, clang-tidy must find nothing in the libraries,
+# and their unit tests and short runs pass under the sanitizers too.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 clang_format_version=14
@@ -10,7 +10,7 @@ strict=OFF
 checkers=()
 if [ -n "${CI:-}" ]; then
   strict=ON
-  checkers=(clang-format)
+  checkers=(clang-format clang-tidy)
 fi
 
 tools/setup-debian.sh "${checkers[@]}"
@@ -28,5 +28,6 @@ cmake --preset release -D SLOPE_WERROR=$strict
 cmake --build --preset release --target all all_verify_interface_header_sets
 ctest --preset release "$@"
 if [ "$strict" = ON ]; then
+  tests/tidy.sh
   tests/sanitize.sh
 fi

@@ -150,7 +150,7 @@ void MaterialPointMethod::fold_walls() {
 // The same for a hat's gradient: of its 5 x 5 nodes, one column or row may lie outside. (A hat on the wall has another
 // one there, which its particles do not reach.)
 void MaterialPointMethod::fold_walls(Hat& hat) const {
-  const auto fold = [&hat](Wall wall, int outside, int inwards, Array2d sign) {
+  const auto fold = [&hat](Wall wall, int outside, int inwards, const Array2d& sign) {
     Array2d* from = hat.gradient.data() + outside;
     if (moves(wall)) from[inwards] += 2.0 * *from;
     from[2 * inwards] += sign * *from;

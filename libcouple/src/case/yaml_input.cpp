@@ -79,7 +79,7 @@ class Converter {
       problems_.push_back({file_, line, path, "a key must be a single word"});
       return;
     }
-    const std::string name = key.Scalar();
+    const std::string& name = key.Scalar();
     if (name.size() > longest_key) {
       problems_.push_back(
           {file_, line, path, fmt::format("a key of {} letters, \"{}\"", name.size(), shortened(name))});

@@ -45,7 +45,7 @@ class ArchiveWriter {
   template <class... Kinds>
   void put(const std::variant<Kinds...>& value) {
     put_count(value.index());
-    std::visit([this](const auto& kind) { put(kind); }, value);
+    std::visit([this](const auto& kind) { this->put(kind); }, value);
   }
   template <class T, std::size_t size>
   void put(const std::array<T, size>& values) {
@@ -70,7 +70,7 @@ class ArchiveWriter {
   }
   template <Listed T>
   void put(const T& value) {
-    T::for_each_field(value, [this](const char* name, const auto& field) { put_field(name, field); });
+    T::for_each_field(value, [this](const char* name, const auto& field) { this->put_field(name, field); });
   }
   template <class T>
   void put_field(const char* name, const T& value) {
@@ -153,7 +153,7 @@ class ArchiveReader {
   }
   template <Listed T>
   void get(T& value) {
-    T::for_each_field(value, [this](const char* name, auto& field) { get_field(name, field); });
+    T::for_each_field(value, [this](const char* name, auto& field) { this->get_field(name, field); });
   }
   template <class T>
   void get_field(const char* name, T& value) {
