@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <stdexcept>
 
 #include "case/initial_values.hpp"
@@ -55,6 +56,14 @@ SlopeScale scale_of(const Case& input, const InitialParticles& particles, const 
   scale.overburden = mass / volume * input.gravity * scale.height;
   scale.wave_speed = wave_speed(input, mixture, 0.5 * scale.overburden);
   return scale;
+}
+
+// Whether all lie in the domain or beside it, by no more than its own width or height.
+bool lie_near(const Domain& domain, std::span<const double> positions, std::size_t axis) {
+  const double side = domain.upper[axis] - domain.lower[axis];
+  return std::ranges::all_of(positions, [&](double position) {
+    return position >= domain.lower[axis] - side && position <= domain.upper[axis] + side;
+  });
 }
 
 std::size_t nearest_particle(const InitialParticles& particles, const Point& point) {
@@ -139,6 +148,13 @@ void Simulation::Run::check(const SimulationState& state) const {
   for (const auto* field : {&state.mixture.first_volume, &state.mixture.first_porosity, &state.boundary.first_pressure,
                             &state.boundary.free_surface.x, &state.rest.ux, &state.rest.uy}) {
     if (!field->empty() && field->size() != n) refuse("a field has not one entry for each particle");
+  }
+  const seepage::FreeSurface::State& surface_then = state.boundary.free_surface;
+  for (const auto* x : {&state.soil.particles.x, &state.head_operator.x, &surface_then.x}) {
+    if (!lie_near(input.domain, *x, 0)) refuse("a particle is far from it");
+  }
+  for (const auto* y : {&state.soil.particles.y, &state.head_operator.y, &surface_then.y}) {
+    if (!lie_near(input.domain, *y, 1)) refuse("a particle is far from it");
   }
   if (state.progress.farthest_particle >= n || state.runaway.samples.empty() || state.boundary.first_pressure.empty()) {
     refuse("it is not whole");

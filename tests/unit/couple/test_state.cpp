@@ -116,6 +116,14 @@ TEST(Branch, OfAnotherGroundIsRefused) {
   SimulationState torn = coarse.state();
   std::get<ClockPace>(torn.pace).clock.pressure = {0.0};
   EXPECT_THROW(Simulation(case_of({}), torn), InputError);
+  for (const double place : {std::nan(""), -1.0e20, 1.0e20}) {
+    SimulationState elsewhere = coarse.state();
+    elsewhere.head_operator.x.front() = place;
+    EXPECT_THROW(Simulation(case_of({}), elsewhere), InputError) << place;
+    elsewhere = coarse.state();
+    elsewhere.soil.particles.y.front() = place;
+    EXPECT_THROW(Simulation(case_of({}), elsewhere), InputError) << place;
+  }
   for (const double time : {std::nan(""), -1.0, 1.0e300}) {
     SimulationState elsewhen = coarse.state();
     elsewhen.progress.time = time;
