@@ -98,11 +98,9 @@ TEST_F(SlopeSim, CheckOfAFineCaseSaysWhatItHolds) {
 TEST_F(SlopeSim, CheckPassesOnEveryShippedCase) {
   std::size_t files = 0;
   for (const auto& entry : fs::recursive_directory_iterator(SLOPE_CASES)) {
-    const fs::path& file = entry.path();
-    if (file.extension() != ".yaml" || file.filename() == "soils.yaml" || file.parent_path().stem() == "studies")
-      continue;
+    if (entry.path().extension() != ".yaml" || entry.path().filename() == "soils.yaml") continue;
     ++files;
-    const Outcome outcome = call({"check", file});
+    const Outcome outcome = call({"check", entry.path()});
     EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
   }
   EXPECT_GE(files, 8u);

@@ -222,6 +222,17 @@ TEST_F(StudyCommand, TellsOfWrongStudiesAndRunsNothing) {
             4);
 }
 
+TEST_F(StudyCommand, CheckSaysWhatAStudyHolds) {
+  const std::string file = path("study.yaml").string();
+  const Outcome fine = slope_sim({"check", file}, scratch_.path());
+  EXPECT_EQ(fine.exit_code, 0) << fine.errors;
+  EXPECT_EQ(fine.output, file + ": fine: 2 parameters, 20 runs at most of the design monte_carlo\n");
+  change("study.yaml", "samples: 20", "samples: 0");
+  const Outcome wrong = slope_sim({"check", file}, scratch_.path());
+  EXPECT_EQ(wrong.exit_code, 2);
+  EXPECT_NE(wrong.errors.find("study.yaml:15: design.samples: must be at least 2"), std::string::npos) << wrong.errors;
+}
+
 // What the values of one sample do not go together with is told with the sample, before anything is run.
 TEST_F(StudyCommand, TellsWhichSamplesTheCaseDoesNotTake) {
   change("block.yaml", "{model: von_mises, undrained_strength: 10 kPa}",

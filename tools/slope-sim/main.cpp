@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "design.hpp"
 #include "profile_file.hpp"
 #include "read_study.hpp"
 #include "run.hpp"
@@ -37,6 +38,14 @@ void check(const std::string& file, const std::vector<std::string>& overrides) {
   slope::tools::say(fmt::format("{}: fine: {} particles of {} soil{} on {} x {} cells of {} m, until {:g} s\n", file,
                                 first_particles(input).x.size(), input.soils.size(), input.soils.size() == 1 ? "" : "s",
                                 cells(0), cells(1), domain.cell_size, input.stop.time));
+}
+
+/// Reads the study and says what it holds.
+void check_study(const std::string& file) {
+  const slope::tools::Study study = slope::tools::read_study(file).study;
+  const std::size_t parameters = study.parameters.size(), runs = slope::tools::samples_of(study).size();
+  slope::tools::say(fmt::format("{}: fine: {} parameter{}, {} runs at most of the design {}\n", file, parameters,
+                                parameters == 1 ? "" : "s", runs, name_of(study.design)));
 }
 
 void add_case(CLI::App& command, std::string& file, std::vector<std::string>& overrides) {
@@ -105,6 +114,8 @@ ExitCode execute(const CLI::App& app, const slope::tools::RunOptions& options, c
     } else if (app.got_subcommand("study")) {
       const ExitCode code = slope::tools::run_study(study);
       if (code != ExitCode::fine) return code;
+    } else if (app.got_subcommand("check") && slope::tools::is_study(options.case_file)) {
+      check_study(options.case_file.string());
     } else if (app.got_subcommand("check")) {
       check(options.case_file.string(), options.overrides);
     } else if (app.got_subcommand("new")) {
@@ -166,7 +177,7 @@ int main(int argc, char** argv) {
   safety->add_flag("--resume", resumes, "Goes on with an earlier run in the folder, or begins if there is none")
       ->excludes(overwrite);
   add_running(*safety, options);
-  CLI::App* check = app.add_subcommand("check", "Says what is wrong with a case, or that it is fine");
+  CLI::App* check = app.add_subcommand("check", "Says what is wrong with a case or a study, or that it is fine");
   add_case(*check, case_file, options.overrides);
   slope::tools::StudyOptions study;
   std::string engine = "xargs";

@@ -58,7 +58,7 @@ OT::Distribution whole(const Lognormal& law) {
 /// A distribution without what lies beyond its limits.
 template <class Law>
 OT::Distribution cut(const Law& law) {
-  const OT::Distribution uncut = whole(law);
+  OT::Distribution uncut = whole(law);
   if (law.minimum && law.maximum) return OT::TruncatedDistribution(uncut, *law.minimum, *law.maximum);
   if (law.minimum) return OT::TruncatedDistribution(uncut, *law.minimum, OT::TruncatedDistribution::LOWER);
   if (law.maximum) return OT::TruncatedDistribution(uncut, *law.maximum, OT::TruncatedDistribution::UPPER);
@@ -128,7 +128,7 @@ struct FaultFinder {
   }
   std::string operator()(const Beta& law) const {
     if (!(law.minimum < *law.mean && *law.mean < law.maximum)) return "the mean must lie between minimum and maximum";
-    const std::string fault = fault_of_location(law);
+    std::string fault = fault_of_location(law);
     if (!fault.empty()) return fault;
     const double most = std::sqrt((*law.mean - law.minimum) * (law.maximum - *law.mean));
     if (width_of(law) < most) return "";

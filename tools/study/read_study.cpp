@@ -249,6 +249,17 @@ bool read_base(const Input& root, StudyInput& input, std::vector<Problem>& probl
 
 }  // namespace
 
+bool is_study(const fs::path& file) {
+  std::vector<Problem> problems;
+  try {
+    const Document document = couple::parse_yaml(couple::read_text_file(file, most_bytes), "", problems);
+    const auto has = [&document](const char* key) { return document.find(key) != nullptr ? 1 : 0; };
+    return has(case_key) + has("parameters") + has("design") > 1;
+  } catch (const couple::FileError&) {
+    return false;  // who reads it as a case tells why
+  }
+}
+
 StudyInput read_study(const fs::path& file) {
   std::vector<Problem> problems;
   const std::string name = file.string();

@@ -9,6 +9,9 @@
 
 namespace slope::tools {
 
+/// Whether a file is meant for a study rather than for a case, by its keys.
+[[nodiscard]] bool is_study(const std::filesystem::path& file);
+
 /// Reads and checks a study file, and the case that it names.
 /// @throws couple::InputError naming every problem of both; couple::FileError if a file cannot be read.
 [[nodiscard]] StudyInput read_study(const std::filesystem::path& file);

@@ -158,7 +158,7 @@ std::string interval_text(const Design& design) {
 }
 
 std::string estimate_text(const Estimate& estimate) {
-  const std::string value = fmt::format("{:.4g}", estimate.value);
+  std::string value = fmt::format("{:.4g}", estimate.value);
   if (std::isnan(estimate.lower) && std::isnan(estimate.upper)) return value;
   const auto end = [](double one) { return std::isnan(one) ? std::string("?") : fmt::format("{:.4g}", one); };
   return fmt::format("{} ({} to {})", value, end(estimate.lower), end(estimate.upper));

@@ -16,10 +16,8 @@ std::filesystem::path shipped_cases() {
 std::vector<std::filesystem::path> shipped_case_files() {
   std::vector<std::filesystem::path> files;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(shipped_cases())) {
-    const std::filesystem::path& file = entry.path();
-    if (file.extension() != ".yaml" || file.filename() == "soils.yaml" || file.parent_path().stem() == "studies")
-      continue;
-    files.push_back(file);
+    if (entry.path().extension() != ".yaml" || entry.path().filename() == "soils.yaml") continue;
+    if (entry.path().parent_path().filename() != "studies") files.push_back(entry.path());
   }
   std::sort(files.begin(), files.end());
   return files;

@@ -8,7 +8,7 @@ namespace slope::couple::test {
 
 /// The folder of the cases that the project ships.
 [[nodiscard]] std::filesystem::path shipped_cases();
-/// The shipped case files, without the soil library.
+/// The shipped case files, without the soil library and the studies.
 [[nodiscard]] std::vector<std::filesystem::path> shipped_case_files();
 [[nodiscard]] std::string content_of(const std::filesystem::path& file);
 
