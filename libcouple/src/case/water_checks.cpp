@@ -201,11 +201,13 @@ void doubt_levels(const Input& place, const Case& input, const InitialParticles&
       if (ground[0] < boundary.where.from || ground[0] > boundary.where.to || ground[1] > outside - tolerance) continue;
       const auto inside = water_level_at(input, ground);
       if (!inside || std::abs(*inside - outside) <= tolerance) continue;
-      place.item(i).at("reservoir").warning(
-          fmt::format("stands at {} at the start, but the water in the ground under it, at x = {}, at {}; with "
-                      "initial.water of type steady it is what belongs to the reservoir",
-                      length_text(frame.height(outside)), length_text(frame.position(ground)[0]),
-                      length_text(frame.height(*inside))));
+      place.item(i)
+          .at("reservoir")
+          .warning(
+              fmt::format("stands at {} at the start, but the water in the ground under it, at x = {}, at {}; with "
+                          "initial.water of type steady it is what belongs to the reservoir",
+                          length_text(frame.height(outside)), length_text(frame.position(ground)[0]),
+                          length_text(frame.height(*inside))));
       break;
     }
   }
