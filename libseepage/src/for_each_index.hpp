@@ -13,7 +13,7 @@ namespace slope::seepage {
 constexpr std::size_t few = 100, few_products = 16 * 1024;
 
 // Calls body(i) once for each i < n, on up to so many threads and in no order: what one call writes no other may touch.
-// The calling thread waits for no thread that has not come to help, so that a busy machine costs nothing. Up to
+// The calling thread waits for no thread that has not come to help, so that a busy machine costs little. Up to
 // `alone` indices it takes alone.
 template <class Body>
 void for_each_index(std::size_t n, int threads, const Body& body, std::size_t alone = few) {

@@ -9,7 +9,7 @@
 namespace slope::solid {
 
 // Calls visit(k) once for each part k < parts, on up to so many threads and in no order: what one call writes no other
-// may touch. The calling thread waits for no thread that has not come to help, so that a busy machine costs nothing.
+// may touch. The calling thread waits for no thread that has not come to help, so that a busy machine costs little.
 template <class Visit>
 void share_out(std::size_t parts, int threads, const Visit& visit) {
   if (threads <= 1) {

@@ -110,24 +110,12 @@ const Document* safety_at(const Document& factors, std::optional<double> at) {
 
 }  // namespace
 
-std::vector<std::string> words_of(std::string_view key) {
-  std::vector<std::string> words(1);
-  for (const char letter : key) {
-    if (letter == '.') {
-      words.emplace_back();
-    } else {
-      words.back() += letter;
-    }
-  }
-  return words;
-}
-
 CaseNumbers::CaseNumbers(const couple::Case& input) : document_(parsed(couple::resolved_yaml(input))) {}
 
 std::variant<CaseNumber, std::string> CaseNumbers::find(std::string_view key) const {
   const Document* at = &document_;
   CaseNumber found;
-  for (const std::string& word : words_of(key)) {
+  for (const std::string& word : couple::words_of(key)) {
     const Document* next = child_of(*at, word);
     if (next == nullptr) {
       return fmt::format("the case has no number \"{}\"{}{}", couple::shortened(key),
@@ -150,7 +138,7 @@ std::variant<CaseNumber, std::string> CaseNumbers::find(std::string_view key) co
 SummaryNumber summary_number(std::string_view key) {
   const Document* at = &schema_of_summaries();
   SummaryNumber found;
-  std::vector<std::string> words = words_of(key);
+  std::vector<std::string> words = couple::words_of(key);
   for (const std::string& word : words) {
     if (is_of_type(*at, "array")) {
       at = at->find("items");
@@ -180,7 +168,7 @@ SummaryNumber summary_number(std::string_view key) {
 
 std::optional<double> number_in(const Document& summary, std::string_view key, std::optional<double> at) {
   const Document* found = &summary;
-  for (const std::string& word : words_of(key)) {
+  for (const std::string& word : couple::words_of(key)) {
     const bool of_safety = found->kind == Document::Kind::list && found->key == safety_key;
     if (of_safety) found = safety_at(*found, at);
     if (found != nullptr) found = child_of(*found, word);

@@ -14,9 +14,6 @@
 /// Numbers of a case and of a summary by their dotted keys.
 namespace slope::tools {
 
-/// The words of a dotted key.
-[[nodiscard]] std::vector<std::string> words_of(std::string_view key);
-
 /// A number of a case, as --set reaches it.
 struct CaseNumber {
   std::string key;  ///< as problems name it: items of lists by their names

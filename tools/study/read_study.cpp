@@ -7,6 +7,7 @@
 #include <cmath>
 #include <set>
 
+#include "case/input.hpp"
 #include "case/units.hpp"
 #include "design.hpp"
 #include "distributions.hpp"
@@ -167,7 +168,7 @@ std::optional<double> value_of(const Input& place, const std::string& text, cons
 /// Whether the runs find a factor of safety where one is asked for.
 void check_safety_times(const Input& root, const StudyInput& input) {
   const couple::SafetyQuestions& asked = input.base.safety;
-  const auto is_safety = [](const Question& question) { return words_of(question.key).front() == safety_key; };
+  const auto is_safety = [](const Question& question) { return couple::words_of(question.key).front() == safety_key; };
   const auto has_time = [](const Question& question) { return question.at.has_value(); };
   const std::vector<Question>& questions = input.study.questions;
   const auto first = std::ranges::find_if(questions, is_safety);
@@ -311,7 +312,7 @@ std::string study_schema() {
 
 bool asks_safety_alone(const Study& study) {
   return !study.questions.empty() && std::ranges::all_of(study.questions, [](const Question& question) {
-    return words_of(question.key).front() == safety_key;
+    return couple::words_of(question.key).front() == safety_key;
   });
 }
 

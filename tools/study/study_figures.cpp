@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "case/input.hpp"
 #include "distributions.hpp"
 #include "dotted_keys.hpp"
 #include "slope/couple/results.hpp"
@@ -15,7 +16,7 @@ namespace slope::tools {
 namespace {
 
 bool is_safety(const Question& question) {
-  return words_of(question.key).front() == safety_key;
+  return couple::words_of(question.key).front() == safety_key;
 }
 
 /// The strength that the slope bore, and that it did not, when its factor of safety was looked for; none: not with all

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "case/input.hpp"
 #include "case/units.hpp"
 
 namespace slope::tools {
@@ -277,7 +278,7 @@ Format<Question> question_format() {
         const SummaryNumber number = summary_number(question.key);
         if (!number.problem.empty()) input.at("key").problem(number.problem);
         question.unit = number.unit;
-        if (question.at && words_of(question.key).front() != safety_key)
+        if (question.at && couple::words_of(question.key).front() != safety_key)
           input.at("at").problem(
               fmt::format("has a meaning only for a factor of safety, a key that begins with {}; "
                           "remove it",

@@ -21,6 +21,18 @@ std::string joined_key(const std::string& parent, std::string_view name) {
   return parent.empty() ? std::string(name) : fmt::format("{}.{}", parent, name);
 }
 
+std::vector<std::string> words_of(std::string_view key) {
+  std::vector<std::string> words(1);
+  for (const char c : key) {
+    if (c == '.') {
+      words.emplace_back();
+    } else {
+      words.back() += c;
+    }
+  }
+  return words;
+}
+
 std::string Problem::text() const {
   std::string out = file;
   if (line > 0) out += fmt::format(":{}", line);

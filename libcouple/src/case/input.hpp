@@ -59,6 +59,8 @@ inline constexpr const char* override_source = "--set";
 
 /// The dotted key of an entry of a map, or of an item of a list.
 [[nodiscard]] std::string joined_key(const std::string& parent, std::string_view name);
+/// The words of a dotted key.
+[[nodiscard]] std::vector<std::string> words_of(std::string_view key);
 
 /// What a YAML text should be, for messages, and how long the texts in it may be.
 struct YamlKind {

@@ -160,18 +160,6 @@ void mark_as_override(Document& document) {
   for (Document& child : document.children) mark_as_override(child);
 }
 
-std::vector<std::string> split(const std::string& path) {
-  std::vector<std::string> words(1);
-  for (const char c : path) {
-    if (c == '.') {
-      words.emplace_back();
-    } else {
-      words.back() += c;
-    }
-  }
-  return words;
-}
-
 /// The item of a list that goes by that number or name; nullptr if there is none.
 Document* find_item(Document& list, const std::string& word) {
   std::size_t index = 0;
@@ -213,7 +201,7 @@ void apply_override(Document& root, const std::string& assignment, std::vector<P
     problems.push_back({override_source, 0, key, std::move(message)});
   };
   const std::size_t equals = assignment.find('=');
-  const std::vector<std::string> words = split(assignment.substr(0, equals));
+  const std::vector<std::string> words = words_of(assignment.substr(0, equals));
   const bool nameless = std::any_of(words.begin(), words.end(), [](const std::string& word) { return word.empty(); });
   if (equals == std::string::npos || equals + 1 == assignment.size() || nameless) {
     report("", fmt::format("expected key=value, such as \"stop.time=10 min\", got \"{}\"", assignment));

@@ -6,9 +6,12 @@
 #include <utility>
 
 #include "a_summary.hpp"
+#include "slope/testing/corpus.hpp"
 
 namespace slope::couple::test {
 namespace {
+
+using slope::testing::with_line_feeds;
 
 /// A line of damaged_summaries.txt.
 struct DamagedSummary {
@@ -32,11 +35,6 @@ std::vector<DamagedSummary> damaged_summaries() {
   return damaged;
 }
 
-std::string with_line_feeds(std::string text) {
-  for (std::size_t at = text.find("\\n"); at != std::string::npos; at = text.find("\\n", at)) text.replace(at, 2, "\n");
-  return text;
-}
-
 /// The summary that a line describes.
 std::string content_of(const std::string& change) {
   std::string text = summary_json(a_summary());
@@ -50,7 +48,7 @@ std::string content_of(const std::string& change) {
   return text.replace(at, from.size(), arrow + 4 < change.size() ? change.substr(arrow + 4) : "");
 }
 
-class DamagedSummaries : public testing::TestWithParam<DamagedSummary> {};
+class DamagedSummaries : public ::testing::TestWithParam<DamagedSummary> {};
 
 TEST_P(DamagedSummaries, AreRefusedWithPlaceKeyAndWhatIsExpected) {
   std::string told = "nothing";
@@ -69,7 +67,7 @@ TEST_P(DamagedSummaries, AreRefusedWithPlaceKeyAndWhatIsExpected) {
   EXPECT_LT(told.size(), 10000u) << "nobody reads that";
 }
 
-INSTANTIATE_TEST_SUITE_P(With, DamagedSummaries, testing::ValuesIn(damaged_summaries()),
+INSTANTIATE_TEST_SUITE_P(With, DamagedSummaries, ::testing::ValuesIn(damaged_summaries()),
                          [](const auto& instance) { return instance.param.name; });
 
 TEST(DamagedSummary, CutAnywhereIsRefused) {

@@ -6,9 +6,13 @@
 
 #include "case_folder.hpp"
 #include "slope/couple/read_case.hpp"
+#include "slope/testing/corpus.hpp"
 
 namespace slope::couple::test {
 namespace {
+
+using slope::testing::parted;
+using slope::testing::with_line_feeds;
 
 /// A line of wrong_cases.txt.
 struct WrongCase {
@@ -19,21 +23,6 @@ struct WrongCase {
 
 std::ostream& operator<<(std::ostream& out, const WrongCase& wrong) {
   return out << wrong.change;
-}
-
-std::vector<std::string> parted(std::string text, const std::string& by) {
-  std::vector<std::string> parts;
-  for (std::size_t at = text.find(by); at != std::string::npos; at = text.find(by)) {
-    parts.push_back(text.substr(0, at));
-    text.erase(0, at + by.size());
-  }
-  parts.push_back(text);
-  return parts;
-}
-
-std::string with_line_feeds(std::string text) {
-  for (std::size_t at = text.find("\\n"); at != std::string::npos; at = text.find("\\n", at)) text.replace(at, 2, "\n");
-  return text;
 }
 
 std::vector<WrongCase> wrong_cases() {
@@ -57,7 +46,7 @@ std::vector<Problem> problems_of(const std::filesystem::path& file, const std::v
   return {};
 }
 
-class WrongCases : public testing::TestWithParam<WrongCase> {};
+class WrongCases : public ::testing::TestWithParam<WrongCase> {};
 
 TEST_P(WrongCases, GetOneMessageWithPlaceKeyAndRemedy) {
   const WrongCase& wrong = GetParam();
@@ -84,7 +73,7 @@ TEST_P(WrongCases, GetOneMessageWithPlaceKeyAndRemedy) {
   EXPECT_EQ(told, place + wrong.message);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, WrongCases, testing::ValuesIn(wrong_cases()),
+INSTANTIATE_TEST_SUITE_P(All, WrongCases, ::testing::ValuesIn(wrong_cases()),
                          [](const auto& instance) { return instance.param.name; });
 
 }  // namespace

@@ -8,11 +8,14 @@
 
 #include "read_study.hpp"
 #include "scratch_folder.hpp"
+#include "slope/testing/corpus.hpp"
 
 namespace slope::tools::test {
 namespace {
 
 namespace fs = std::filesystem;
+using slope::testing::parted;
+using slope::testing::with_line_feeds;
 
 /// A line of wrong_studies.txt.
 struct WrongStudy {
@@ -23,21 +26,6 @@ struct WrongStudy {
 
 std::ostream& operator<<(std::ostream& out, const WrongStudy& wrong) {
   return out << wrong.text << " => " << wrong.replacement;
-}
-
-std::vector<std::string> parted(std::string text, const std::string& by) {
-  std::vector<std::string> parts;
-  for (std::size_t at = text.find(by); at != std::string::npos; at = text.find(by)) {
-    parts.push_back(text.substr(0, at));
-    text.erase(0, at + by.size());
-  }
-  parts.push_back(text);
-  return parts;
-}
-
-std::string with_line_feeds(std::string text) {
-  for (std::size_t at = text.find("\\n"); at != std::string::npos; at = text.find("\\n", at)) text.replace(at, 2, "\n");
-  return text;
 }
 
 std::vector<WrongStudy> wrong_studies() {
@@ -59,7 +47,7 @@ std::string content_of(const fs::path& file) {
   return content.str();
 }
 
-class WrongStudies : public testing::TestWithParam<WrongStudy> {};
+class WrongStudies : public ::testing::TestWithParam<WrongStudy> {};
 
 TEST_P(WrongStudies, GetOneMessageWithPlaceKeyAndRemedy) {
   const WrongStudy& wrong = GetParam();
@@ -85,7 +73,7 @@ TEST_P(WrongStudies, GetOneMessageWithPlaceKeyAndRemedy) {
   EXPECT_EQ(told, "study.yaml:" + std::to_string(line + wrong.lines_below) + ": " + wrong.message);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, WrongStudies, testing::ValuesIn(wrong_studies()),
+INSTANTIATE_TEST_SUITE_P(All, WrongStudies, ::testing::ValuesIn(wrong_studies()),
                          [](const auto& instance) { return instance.param.name; });
 
 }  // namespace

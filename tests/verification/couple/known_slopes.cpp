@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "known_factor.hpp"
 #include "run_case.hpp"
 #include "slope/testing/circular_search.hpp"
 #include "slope/testing/record.hpp"
@@ -14,9 +15,7 @@ namespace slope::testing {
 namespace {
 
 double found(const std::string& name, const std::vector<std::string>& overrides = {}) {
-  couple::Simulation simulation = start_case(name, overrides);
-  if (!simulation.initialise() || !simulation.find_safety()) throw std::logic_error("nobody stopped the search");
-  return simulation.summary().safety.back().factor;
+  return found_factor(start_case(name, overrides));
 }
 
 SlopeSoil::Field everywhere(double value) {
