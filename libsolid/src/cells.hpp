@@ -25,6 +25,12 @@ void MaterialPointMethod::for_each_cell(const Visit& visit) const {
   for_each_in_bands(bands_, visit);
 }
 
+// The particles in a grid cell, in the order of their indices.
+inline std::span<const std::size_t> MaterialPointMethod::particles_in(std::size_t cell) const {
+  const std::size_t first = cell == 0 ? 0 : cell_start_[cell - 1];
+  return std::span(cell_particles_).subspan(first, cell_start_[cell] - first);
+}
+
 // Whether the grid holds a coordinate of a particle.
 inline bool MaterialPointMethod::holds_x_of(std::size_t p) const {
   const double place = (state_.particles.x[p] - grid_.lower[0]) * (1.0 / grid_.cell_size);

@@ -30,6 +30,15 @@ double YieldCone::value(const SymmetricTensor& stress) const {
   return std::sqrt(second_invariant(stress)) + eta * trace(stress) - xi_c;
 }
 
+// Where it flows in plane strain, sigma_zz follows from no flow along z, and the cone is a pyramid with these angles.
+double YieldCone::shear_along_slip(double normal_stress) const {
+  const double root = std::sqrt(1.0 - 3.0 * eta_potential * eta_potential);
+  const double share = root / (1.0 - 3.0 * eta * eta_potential);
+  const double sin_friction = 3.0 * eta * share, sin_dilatancy = 3.0 * eta_potential / root;
+  const double cos_dilatancy = std::sqrt(1.0 - sin_dilatancy * sin_dilatancy);
+  return cos_dilatancy * (xi_c * share - normal_stress * sin_friction) / (1.0 - sin_friction * sin_dilatancy);
+}
+
 SuctionDependentCone::SuctionDependentCone(const DruckerPrager& strength) : strength_(strength) {
   const ShearStrength now = shear_strength(strength, 0.0, 0.0);
   const Match friction = plane_strain_match(now.friction_angle);

@@ -111,9 +111,7 @@ void MaterialPointMethod::find_strip(const ParticleTraction& traction, double nx
   const int high = cell_at(std::max(y, far_y) + wide_y, grid_.lower[1], grid_.rows);
   for (int row = low; row <= high; ++row) {
     for (int column = left; column <= right; ++column) {
-      const std::size_t cell = std::size_t(row) * std::size_t(grid_.columns) + std::size_t(column);
-      for (std::size_t s = cell == 0 ? 0 : cell_start_[cell - 1]; s < cell_start_[cell]; ++s) {
-        const std::size_t p = cell_particles_[s];
+      for (const std::size_t p : particles_in(grid_.cell(column, row))) {
         if (p == traction.particle) continue;
         const double dx = x - state_.particles.x[p], dy = y - state_.particles.y[p];
         const double behind = nx * dx + ny * dy;

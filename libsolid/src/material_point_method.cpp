@@ -58,6 +58,7 @@ MaterialPointMethod::MaterialPointMethod(const Grid& grid, std::vector<Soil> soi
     materials_.emplace_back(soil, grid_.cell_size);
     internal_count_ = std::max(internal_count_, internal_count(materials_.back().strength));
   }
+  kinds_ = soils_.size();
   set_internal_variables();
   find_wall_nodes();
   find_friction_times();
@@ -133,6 +134,7 @@ void MaterialPointMethod::place_on_grid() {
   }
   sort_into_cells();
   find_hats();
+  find_neighbours_of_other_soil();
   placed_x_ = particles.x, placed_y_ = particles.y, placed_volume_ = particles.volume;
 }
 

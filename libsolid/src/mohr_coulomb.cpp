@@ -74,6 +74,11 @@ double YieldPyramid::value(const SymmetricTensor& stress) const {
   return yield_function(*this, s.major, s.minor);
 }
 
+double YieldPyramid::shear_along_slip(double normal_stress) const {
+  const double cos_dilatancy = std::sqrt(1.0 - sin_dilatancy * sin_dilatancy);
+  return cos_dilatancy * (c_cos_friction - normal_stress * sin_friction) / (1.0 - sin_friction * sin_dilatancy);
+}
+
 SuctionDependentPyramid::SuctionDependentPyramid(const MohrCoulomb& strength) : strength_(strength) {
   const ShearStrength now = shear_strength(strength, 0.0, 0.0);
   cos_friction_ = std::cos(now.friction_angle);

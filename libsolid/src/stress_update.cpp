@@ -75,6 +75,7 @@ void MaterialPointMethod::update_stress(double dt, std::span<const double> sucti
     strain_particles<false>(dt, suction, mode);
   }
   if (stiffness_varies()) update_with_state(dt, suction, mode);
+  if (mode.yields) bound_traction_between_soils(suction);
 }
 
 template <bool shares_dilation>

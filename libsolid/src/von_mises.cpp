@@ -8,6 +8,10 @@ double YieldCylinder::value(const SymmetricTensor& stress) const {
   return std::sqrt(second_invariant(stress)) - undrained_strength;
 }
 
+double YieldCylinder::shear_along_slip(double /*normal_stress*/) const {
+  return undrained_strength;
+}
+
 YieldCylinder SofteningCylinder::at(double /*suction*/, double plastic_strain) const {
   const double peak = strength_.undrained_strength;
   if (!strength_.softening) return {peak / strength_.reduction};

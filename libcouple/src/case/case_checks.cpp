@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "case_format.hpp"
+#include "contrast_checks.hpp"
 #include "frame.hpp"
 #include "ground_checks.hpp"
 #include "initial_values.hpp"
@@ -204,6 +205,7 @@ void check_case(const Input& root, const Case& input) {
       const double columns = std::sqrt(placed.domain.particles_per_cell) *
                              (placed.domain.upper[0] - placed.domain.lower[0]) / placed.domain.cell_size;
       doubt_hanging_soil(geometry, particles, frame, static_cast<int>(std::lround(columns)));
+      if (given("soils")) doubt_contrast(geometry, placed, particles, frame);
     }
     if (root.clean("water_boundaries") && given("initial") && root.clean("coupling")) {
       check_water_table(root.at("initial").at("water"), placed, particles, frame);

@@ -161,5 +161,18 @@ TEST(SuctionDependentCone, SuctionBelowZeroCountsAsZero) {
   EXPECT_NEAR(law.at(1.0).xi_c, law.at(0.0).xi_c, 0.1);
 }
 
+TEST(Cone, BearsAlongASlipWhatItsYieldFunctionLeaves) {
+  DruckerPrager strength = table_2_strength();
+  strength.cohesion = 5.0e3;
+  constexpr double normal = -40.0e3;
+  const YieldCone isochoric = SuctionDependentCone(strength).at(0.0);
+  const double shear = isochoric.shear_along_slip(normal);
+  EXPECT_NEAR(isochoric.value({normal, normal, normal, shear}), 0.0, 1.0e-9 * shear);
+
+  strength.dilatancy_angle = strength.friction_angle;  // associated flow: the match is Mohr-Coulomb itself
+  const YieldCone associated = SuctionDependentCone(strength).at(0.0);
+  EXPECT_NEAR(associated.shear_along_slip(normal), 5.0e3 - normal * std::tan(strength.friction_angle), 1.0e-6);
+}
+
 }  // namespace
 }  // namespace slope::solid

@@ -250,5 +250,24 @@ TEST(SuctionDependentPyramid, FollowsEquations15And16) {
   }
 }
 
+// A state in which the soil slides along x: with psi the angle of the flow, the principal stresses lie at 45 degrees -
+// psi / 2 to the plane (coaxial flow that neither stretches nor shrinks along it).
+TEST(Pyramid, BearsAlongASlipWhatItsMohrCircleHasThere) {
+  for (const double dilatancy : {0.0, 10.0, 25.0}) {
+    const YieldPyramid pyramid = pyramid_of(5.0e3, 25.0, dilatancy);
+    const double normal = -40.0e3, psi = dilatancy * degree;
+    const double shear = pyramid.shear_along_slip(normal);
+    const double radius = shear / std::cos(psi), along = normal - 2.0 * radius * std::sin(psi);
+    // the circle through both stresses, whose top lies psi from the plane's point
+    const double centre = 0.5 * (normal + along);
+    EXPECT_NEAR(std::hypot(normal - centre, shear), radius, 1.0e-9 * radius);
+    EXPECT_NEAR(pyramid.value({along, normal, centre, shear}), 0.0, 1.0e-6 * radius) << dilatancy;
+  }
+  EXPECT_NEAR(pyramid_of(5.0e3, 25.0, 25.0).shear_along_slip(-40.0e3), 5.0e3 + 40.0e3 * std::tan(25.0 * degree),
+              1.0e-6);
+  EXPECT_NEAR(pyramid_of(5.0e3, 25.0, 0.0).shear_along_slip(-40.0e3),
+              5.0e3 * std::cos(25.0 * degree) + 40.0e3 * std::sin(25.0 * degree), 1.0e-6);
+}
+
 }  // namespace
 }  // namespace slope::solid

@@ -8,6 +8,7 @@
 #include "run_case.hpp"
 #include "slope/testing/circular_search.hpp"
 #include "slope/testing/record.hpp"
+#include "weak_seam.hpp"
 
 namespace slope::testing {
 namespace {
@@ -39,6 +40,15 @@ TEST(SlopeFactorFine, OfClayOverFirmGroundIsThatOfCirclesAboveIt) {
                                             {20.0e3, constant(0.0), constant(50.0e3), constant(0.0)});
   EXPECT_TRUE(record("known-slope-8", "- over clay that is 2.5 times as strong, over the circles'", near(1.0, 0.02),
                      found / circle.factor_of_safety, ""));
+}
+
+TEST(SlopeFactorFine, OfAWedgeOnASoftSeamFourCellsThick) {
+  EXPECT_TRUE(record("known-slope-9", "Wedge on a seam a third as strong, 4 cells thick, over the exact one",
+                     near(1.0, 0.02), WeakSeam{2.0, 0.5}.found(), ""));
+}
+
+TEST(SlopeFactorFine, OfAWedgeOnASoftSeamOneCellThick) {
+  EXPECT_TRUE(record("known-slope-10", "- 1 cell thick", near(1.0, 0.02), WeakSeam{1.0, 1.0}.found(), ""));
 }
 
 }  // namespace

@@ -14,6 +14,10 @@ struct YieldCone {
 
   /// f (Pa); <= 0 inside. I_1 is the trace of the effective stress, tension positive.
   [[nodiscard]] double value(const SymmetricTensor& stress) const;
+  /// The largest shear stress along a plane on which soil slides that neither stretches nor shrinks along it (Pa); c +
+  /// sigma tan(phi) if the flow is associated, c cos(phi) + sigma sin(phi) if it keeps the volume (Davis 1968).
+  /// @param normal_stress  effective, on the plane (Pa), tension positive
+  [[nodiscard]] double shear_along_slip(double normal_stress) const;
   /// The same surface, with a flow that keeps the volume.
   [[nodiscard]] YieldCone isochoric() const { return {eta, 0.0, xi_c}; }
 };

@@ -33,6 +33,8 @@ struct Grid {
   [[nodiscard]] int node_rows() const { return rows + 5; }
   [[nodiscard]] std::size_t node_count() const { return std::size_t(node_columns()) * std::size_t(node_rows()); }
   [[nodiscard]] std::size_t cell_count() const { return std::size_t(columns) * std::size_t(rows); }
+  /// Index of the cell at column i and row j, from 0.
+  [[nodiscard]] std::size_t cell(int i, int j) const { return std::size_t(j) * std::size_t(columns) + std::size_t(i); }
   /// Index of the node at column i and row j, each from -2 to the number of cells + 2.
   [[nodiscard]] std::size_t node(int i, int j) const {
     return std::size_t(j + 2) * std::size_t(node_columns()) + std::size_t(i + 2);

@@ -149,6 +149,8 @@ struct WallReaction {
 /// them. A particle's own volume change, four constraints to a cell, would lock soil that flows at constant volume.
 /// The volume change of plastic flow is projected with it: the mean stress of a particle that dilates more than its
 /// neighbours would else rise against theirs without end, for no total volume change that they share can undo it.
+/// Where soils meet, the traction on the face between them is one: within half a cell of it no soil bears more along it
+/// than the other does. Else the stronger soil would hold the weaker, which the grid shears with it over a cell.
 /// With Settings::averages_pressure false each particle's own pressure and strain act instead; then volume_response()
 /// and correct() are of no use.
 ///
@@ -300,6 +302,11 @@ class MaterialPointMethod {
     double water_force = 0.0;  // of the pore water on the wall (N/m)
     double beside = 0.0;       // sign of the inner normal of a wall with friction that it meets there, if it does
   };
+  // A particle near soil of another kind.
+  struct Beside {
+    std::size_t particle, other;  // and the nearest one of the other soil
+    double nx, ny;                // normal of the face between them
+  };
   // Sums over the particles of a cell, weighted by volume.
   struct CellMeans {
     double volume = 0.0, distance = 0.0, pressure = 0.0;
@@ -361,9 +368,13 @@ class MaterialPointMethod {
   template <bool shares_dilation>
   void strain_particles(double dt, std::span<const double> suction, const StepMode& mode);
   void yield_with_shared_dilation(std::span<const double> suction, const StepMode& mode);
+  void find_neighbours_of_other_soil();
+  void bound_traction_between_soils(std::span<const double> suction);
   void update_with_state(double dt, std::span<const double> suction, const StepMode& mode);
   [[nodiscard]] std::span<double> internal_of(std::size_t p);
   [[nodiscard]] Elastic stiffness(std::size_t p, const SymmetricTensor& stress) const;
+  [[nodiscard]] std::size_t kind_of(std::size_t p) const { return state_.particles.soil[p] % kinds_; }
+  [[nodiscard]] std::span<const std::size_t> particles_in(std::size_t cell) const;
   [[nodiscard]] bool holds_x_of(std::size_t p) const;
   [[nodiscard]] bool holds_y_of(std::size_t p) const;
   [[noreturn]] void refuse_place(std::size_t p) const;
@@ -387,6 +398,10 @@ class MaterialPointMethod {
   std::vector<std::size_t> cell_particles_;  // particles by cell
   std::vector<Cell> cells_;                  // in grid order; one more at the end, for its first particle
   std::vector<std::size_t> bands_;           // first cell of each band of rows, see for_each_cell()
+
+  std::size_t kinds_ = 0;                  // of soil: those given at first; a weakened soil is of the kind of its own
+  std::vector<std::size_t> kind_in_cell_;  // per grid cell
+  std::vector<Beside> beside_;             // in grid order
 
   std::vector<HatWeights> hat_weights_;  // of each particle
   std::vector<std::size_t> hat_at_;      // index in hats_, per node

@@ -16,6 +16,10 @@ struct YieldPyramid {
 
   /// f (Pa); <= 0 inside.
   [[nodiscard]] double value(const SymmetricTensor& stress) const;
+  /// The largest shear stress along a plane on which soil slides that neither stretches nor shrinks along it (Pa); c +
+  /// sigma tan(phi) if the flow is associated, c cos(phi) + sigma sin(phi) if it keeps the volume (Davis 1968).
+  /// @param normal_stress  effective, on the plane (Pa), tension positive
+  [[nodiscard]] double shear_along_slip(double normal_stress) const;
   /// The same surface, with a flow that keeps the volume.
   [[nodiscard]] YieldPyramid isochoric() const { return {sin_friction, 0.0, c_cos_friction}; }
 };

@@ -14,6 +14,8 @@ struct YieldCylinder {
 
   /// f (Pa); <= 0 inside.
   [[nodiscard]] double value(const SymmetricTensor& stress) const;
+  /// The largest shear stress along a plane on which soil slides (Pa): s_u whatever the normal stress.
+  [[nodiscard]] double shear_along_slip(double normal_stress) const;
   /// Its own flow keeps the volume.
   [[nodiscard]] YieldCylinder isochoric() const { return *this; }
 };
