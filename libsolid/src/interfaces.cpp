@@ -34,7 +34,7 @@ struct BorneAlongSlip {
 
 constexpr double reach = 0.5;   // cells, up to the near side of a particle of the other soil
 constexpr double window = 1.5;  // cells to all sides in which the direction of a face is seen
-constexpr int cells_around = 2;
+constexpr int cells_in_reach = 1, cells_in_window = 2;
 // A face is none where other soil lies to either side alike: of its slope, the share over the window (-).
 constexpr double least_slope = 0.1;
 
@@ -78,41 +78,44 @@ void MaterialPointMethod::find_neighbours_of_other_soil() {
     kind = kind == none || kind == kind_of(p) ? kind_of(p) : several;
   }
   const double h = grid_.cell_size;
-  std::vector<std::size_t> around;  // cells with particles
+  const auto for_each_cell_around = [&](int column, int row, int width, const auto& visit) {
+    for (int j = std::max(row - width, 0); j <= std::min(row + width, grid_.rows - 1); ++j) {
+      for (int i = std::max(column - width, 0); i <= std::min(column + width, grid_.columns - 1); ++i) {
+        if (kind_in_cell_[grid_.cell(i, j)] != none) visit(grid_.cell(i, j));
+      }
+    }
+  };
+  std::vector<std::size_t> others;  // cells beside that hold another soil
   for (int row = 0; row < grid_.rows; ++row) {
     for (int column = 0; column < grid_.columns; ++column) {
       const std::size_t cell = grid_.cell(column, row);
       if (kind_in_cell_[cell] == none) continue;
-      around.clear();
-      bool meets = false;
-      for (int j = std::max(row - cells_around, 0); j <= std::min(row + cells_around, grid_.rows - 1); ++j) {
-        for (int i = std::max(column - cells_around, 0); i <= std::min(column + cells_around, grid_.columns - 1); ++i) {
-          const std::size_t kind = kind_in_cell_[grid_.cell(i, j)];
-          if (kind == none) continue;
-          around.push_back(grid_.cell(i, j));
-          meets = meets || kind == several || kind != kind_in_cell_[cell];
-        }
-      }
-      if (!meets) continue;
+      others.clear();
+      for_each_cell_around(column, row, cells_in_reach, [&](std::size_t c) {
+        if (kind_in_cell_[c] == several || kind_in_cell_[c] != kind_in_cell_[cell]) others.push_back(c);
+      });
+      if (others.empty()) continue;
       for (const std::size_t p : particles_in(cell)) {
         std::size_t nearest = p;
         double least_gap = reach * h;
-        IndicatorSlope slope;
-        for (const std::size_t c : around) {
+        for (const std::size_t c : others) {
           for (const std::size_t q : particles_in(c)) {
-            const double dx = all.x[q] - all.x[p], dy = all.y[q] - all.y[p];
-            const double near = std::max(window * h - std::abs(dx), 0.0) * std::max(window * h - std::abs(dy), 0.0);
-            if (near == 0.0) continue;
-            const bool other = kind_of(q) != kind_of(p);
-            slope.add(dx, dy, near * all.volume[q], other);
-            if (!other) continue;
-            const double gap = std::hypot(dx, dy) - 0.5 * std::sqrt(all.volume[q]);
+            if (kind_of(q) == kind_of(p)) continue;
+            const double gap = std::hypot(all.x[q] - all.x[p], all.y[q] - all.y[p]) - 0.5 * std::sqrt(all.volume[q]);
             if (gap >= least_gap) continue;
             least_gap = gap;
             nearest = q;
           }
         }
         if (nearest == p) continue;
+        IndicatorSlope slope;
+        for_each_cell_around(column, row, cells_in_window, [&](std::size_t c) {
+          for (const std::size_t q : particles_in(c)) {
+            const double dx = all.x[q] - all.x[p], dy = all.y[q] - all.y[p];
+            const double near = std::max(window * h - std::abs(dx), 0.0) * std::max(window * h - std::abs(dy), 0.0);
+            if (near > 0.0) slope.add(dx, dy, near * all.volume[q], kind_of(q) != kind_of(p));
+          }
+        });
         const auto [nx, ny] = slope.value();
         const double length = std::hypot(nx, ny);
         if (length * window * h < least_slope) continue;
