@@ -43,12 +43,12 @@ TEST(SlopeFactorFine, OfClayOverFirmGroundIsThatOfCirclesAboveIt) {
 }
 
 TEST(SlopeFactorFine, OfAWedgeOnASoftSeamFourCellsThick) {
-  EXPECT_TRUE(record("known-slope-9", "Wedge on a seam a third as strong, 4 cells thick, over the exact one",
+  EXPECT_TRUE(record("weak-seam-1", "Wedge on a seam a third as strong, 4 cells thick, over the exact one",
                      near(1.0, 0.02), WeakSeam{2.0, 0.5}.found(), ""));
 }
 
 TEST(SlopeFactorFine, OfAWedgeOnASoftSeamOneCellThick) {
-  EXPECT_TRUE(record("known-slope-10", "- 1 cell thick", near(1.0, 0.02), WeakSeam{1.0, 1.0}.found(), ""));
+  EXPECT_TRUE(record("weak-seam-2", "- 1 cell thick", near(1.0, 0.02), WeakSeam{1.0, 1.0}.found(), ""));
 }
 
 }  // namespace
