@@ -7,6 +7,7 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <string>
 #include <type_traits>
 #include <variant>
 
@@ -41,7 +42,7 @@ std::optional<double> borne_along_a_plane(const solid::Strength& strength, doubl
 
 /// Soil of one kind in a column of the lattice, from its top down.
 struct Run {
-  std::size_t top, bottom;          // particles
+  std::size_t bottom;               // its lowest particle
   int count = 0;                    // of particles
   std::optional<int> above, below;  // soils
   double overburden = 0.0;          // on its bottom (Pa)
@@ -59,7 +60,7 @@ std::map<int, std::vector<Run>> runs_of(const Case& input, const InitialParticle
     for (std::size_t k = 0; k < members.size();) {
       const int soil = particles.soil[members[k]];
       const Soil& kind = input.soils[static_cast<std::size_t>(soil)];
-      Run run{members[k], members[k], 0, above, {}, 0.0};
+      Run run{members[k], 0, above, {}, 0.0};
       for (; k < members.size() && particles.soil[members[k]] == soil; ++k, ++run.count) {
         run.bottom = members[k];
         overburden += gravity * (1.0 - kind.porosity) * kind.solid.grain_density * particles.volume[members[k]] /
@@ -85,7 +86,7 @@ void doubt_contrast(const Input& geometry, const Case& input, const InitialParti
     const auto times_as_strong = [&](const std::optional<int>& other, double stress) {
       const auto own = bears(soil, stress);
       const auto others = other ? bears(*other, stress) : std::nullopt;
-      return own && others && *own > 0.0 ? *others / *own : 1.0;
+      return own && others && *own > 0.0 && std::isfinite(*own) ? *others / *own : 1.0;
     };
     std::vector<Run> over;
     std::size_t between = 0;
@@ -103,13 +104,13 @@ void doubt_contrast(const Input& geometry, const Case& input, const InitialParti
     if (cells > (enclosed ? thin : low)) continue;
     const Point place = frame.position({particles.x[middle->bottom], particles.y[middle->bottom]});
     const double times = times_as_strong(middle->below, middle->overburden);
+    const std::string much =
+        std::isinf(times) ? "never yields" : fmt::format("bears {:.2g} times as much along their face", times);
     geometry.warning(fmt::format(
-        "the soil {} at x = {} is {:.2g} {} thick {} {}, which {}: a slide along it is held too firmly, {}; take cells "
-        "of "
-        "{:.2g} m or less",
+        "the soil {} at x = {} is {:.2g} {} thick {} {}, which {}: a slide along it is held too firmly, {}; "
+        "take cells of {:.2g} m or less",
         name_of(soil), length_text(place[0]), cells, cells == 1.0 ? "cell" : "cells", enclosed ? "in" : "over",
-        name_of(*middle->below),
-        std::isinf(times) ? "never yields" : fmt::format("bears {:.2g} times as much along their face", times),
+        name_of(*middle->below), much,
         enclosed ? "by some 5 % where a layer is 4 cells thick and by half where it is one"
                  : "by some 5 % where the soil is ten cells high",
         input.domain.cell_size * cells / (enclosed ? thin : low)));

@@ -85,6 +85,8 @@ TEST_F(Contrast, IsNotToldWhereItHardlyMatters) {
   EXPECT_TRUE(warnings(clay(40), clay(30), clay(40), 6.0, 8.0).empty()) << "nearly as strong";
   EXPECT_TRUE(warnings(clay(90), clay(30), clay(90), 4.0, 12.0).empty()) << "8 cells thick";
   EXPECT_TRUE(warnings(clay(90), clay(30), clay(30), 6.0, 14.0).empty()) << "a crust";
+  const char* elastic = "{model: elastic}";
+  EXPECT_TRUE(warnings(elastic, elastic, elastic, 6.0, 8.0).empty()) << "none of them yields";
   EXPECT_TRUE(warnings(clay(90), clay(30), clay(90), 6.0, 8.0, 0.25).empty()) << "fine cells";
 }
 
