@@ -131,7 +131,7 @@ void MaterialPointMethod::bound_traction_between_soils(std::span<const double> s
     const auto& [p, other, nx, ny] = beside_[k];
     const double normal = all.sxx[p] * nx * nx + all.syy[p] * ny * ny + 2.0 * all.sxy[p] * nx * ny;
     const double shear = (all.syy[p] - all.sxx[p]) * nx * ny + all.sxy[p] * (nx * nx - ny * ny);
-    const auto borne_by = [&, normal = normal](std::size_t q) {
+    const auto borne_by = [&](std::size_t q) {
       const BorneAlongSlip borne{suction.empty() ? 0.0 : suction[q], all.plastic_strain[q], normal};
       return std::visit(borne, materials_[all.soil[q]].strength);
     };

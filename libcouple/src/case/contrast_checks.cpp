@@ -82,7 +82,8 @@ void doubt_contrast(const Input& geometry, const Case& input, const InitialParti
   const auto bears = [&](int soil, double stress) {
     return borne_along_a_plane(input.soils[static_cast<std::size_t>(soil)].solid.strength, stress);
   };
-  for (auto& [soil, runs] : runs_of(input, particles)) {
+  for (const auto& [of, runs] : runs_of(input, particles)) {
+    const int soil = of;
     const auto times_as_strong = [&](const std::optional<int>& other, double stress) {
       const auto own = bears(soil, stress);
       const auto others = other ? bears(*other, stress) : std::nullopt;
@@ -97,8 +98,9 @@ void doubt_contrast(const Input& geometry, const Case& input, const InitialParti
     }
     if (over.empty() || 2 * over.size() < runs.size()) continue;
     std::ranges::stable_sort(over, {}, &Run::count);
-    const auto alike = std::ranges::equal_range(over, over[over.size() / 2].count, {}, &Run::count);
-    const auto middle = alike.begin() + std::ssize(alike) / 2;
+    const int usual = over[over.size() / 2].count;
+    const auto first = std::ranges::lower_bound(over, usual, {}, &Run::count);
+    const auto middle = first + (std::ranges::upper_bound(over, usual, {}, &Run::count) - first) / 2;
     const double cells = middle->count * particles.spacing / input.domain.cell_size;
     const bool enclosed = 2 * between >= over.size();
     if (cells > (enclosed ? thin : low)) continue;
