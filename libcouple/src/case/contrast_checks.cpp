@@ -113,7 +113,7 @@ void doubt_contrast(const Input& geometry, const Case& input, const InitialParti
         "take cells of {:.2g} m or less",
         name_of(soil), length_text(place[0]), cells, cells == 1.0 ? "cell" : "cells", enclosed ? "in" : "over",
         name_of(*middle->below), much,
-        enclosed ? "by some 5 % where a layer is 4 cells thick and by half where it is one"
+        enclosed ? "by some 5 % where a layer is 4 cells thick and by a multiple where it is one"
                  : "by some 5 % where the soil is ten cells high",
         input.domain.cell_size * cells / (enclosed ? thin : low)));
   }
