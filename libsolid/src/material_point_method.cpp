@@ -134,7 +134,7 @@ void MaterialPointMethod::place_on_grid() {
   }
   sort_into_cells();
   find_hats();
-  find_neighbours_of_other_soil();
+  faces_.find(grid_, {cell_start_, cell_particles_}, particles, kinds_);
   placed_x_ = particles.x, placed_y_ = particles.y, placed_volume_ = particles.volume;
 }
 

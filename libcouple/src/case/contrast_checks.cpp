@@ -20,7 +20,7 @@ namespace {
 /// Of what two soils bear along the face between them: below it the factor of safety is right within a few per cent.
 constexpr double contrast = 1.5;
 /// Up to so many cells a layer between stronger ones, and one above a stronger one, is told.
-constexpr double thin = 6.0, low = 20.0;
+constexpr double thin = 4.0, low = 20.0;
 constexpr double gravity = 9.81;  // (m/s2)
 
 /// What a soil bears along a plane (Pa), dry or drained, at its peak; nothing for a law that is not known by that.
@@ -113,7 +113,7 @@ void doubt_contrast(const Input& geometry, const Case& input, const InitialParti
         "take cells of {:.2g} m or less",
         name_of(soil), length_text(place[0]), cells, cells == 1.0 ? "cell" : "cells", enclosed ? "in" : "over",
         name_of(*middle->below), much,
-        enclosed ? "by some 5 % where a layer is 4 cells thick and by a multiple where it is one"
+        enclosed ? "by up to 20 % where a layer is a cell thick and its foot pushes against level ground"
                  : "by some 5 % where the soil is ten cells high",
         input.domain.cell_size * cells / (enclosed ? thin : low)));
   }

@@ -60,7 +60,7 @@ TEST_F(Contrast, OfAThinSeamIsTold) {
       told[0].message.find("the soil middle at x = 10.25 m is 2 cells thick in below, which bears 3 times as much"),
       std::string::npos)
       << told[0].message;
-  EXPECT_NE(told[0].message.find("take cells of 0.33 m or less"), std::string::npos) << told[0].message;
+  EXPECT_NE(told[0].message.find("take cells of 0.5 m or less"), std::string::npos) << told[0].message;
 }
 
 TEST_F(Contrast, OfSoilOverFirmGroundIsTold) {

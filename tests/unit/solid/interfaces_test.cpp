@@ -75,7 +75,8 @@ TEST(Interface, BoundsTheShearAlongAnInclinedOne) {
   yield(soil);
   for (std::size_t p = 0; p < all.size(); ++p) {
     if (lower_right(all.x[p], all.y[p])) continue;
-    const double off = (all.y[p] - all.x[p]) / std::sqrt(2.0);  // of the diagonal
+    // of the face, half way between the diagonal, whose particles are the upper soil's, and the next ones
+    const double off = (all.y[p] - all.x[p] + 0.25 * cell) / std::sqrt(2.0);
     const bool inner = std::min({all.x[p], all.y[p], 8.0 * cell - all.x[p], 8.0 * cell - all.y[p]}) > 2.0 * cell;
     const double along = 0.5 * (all.syy[p] - all.sxx[p]);
     if (inner && off < 0.5 * cell) {
@@ -84,6 +85,58 @@ TEST(Interface, BoundsTheShearAlongAnInclinedOne) {
       EXPECT_NEAR(along, shear, 1.0);
     }
   }
+}
+
+/// A block of the second soil with a layer of the first, a cell thick, at its middle and a third one above it.
+MaterialPointMethod layered(double above, double gravity, double slope_of_layer) {
+  testing::Block block;
+  block.columns = block.rows = block.soil_columns = block.soil_rows = 16;
+  Particles particles = block.build().particles();
+  for (std::size_t p = 0; p < particles.size(); ++p) {
+    const double up = particles.y[p] - 8.0 * cell - slope_of_layer * (particles.x[p] - 8.0 * cell);
+    particles.soil[p] = up < 0.0 ? 1 : up < cell ? 0 : 2;
+  }
+  Settings settings;
+  settings.gravity = gravity;
+  const Grid grid{.lower = {0.0, 0.0}, .cell_size = cell, .columns = 16, .rows = 16, .walls = {}};
+  return {grid, {clay(weak), clay(strong), clay(above)}, std::move(particles), settings};
+}
+
+// A slip takes five cells on this grid: two to either side of a layer of one, if both sides are stronger.
+TEST(Interface, BoundsTheShearFurtherFromAThinWeakLayer) {
+  for (const double above : {strong, 0.5 * weak}) {
+    MaterialPointMethod soil = layered(above, 0.0, 0.0);
+    Particles& all = soil.particles();
+    std::fill(all.sxy.begin(), all.sxy.end(), shear);
+    yield(soil);
+    const double reach = above > weak ? 2.0 : 0.5;
+    for (std::size_t p = 0; p < all.size(); ++p) {
+      const double under = 8.0 - all.y[p] / cell;  // cells
+      if (under < 0.0) continue;
+      EXPECT_NEAR(all.sxy[p], under < reach ? weak : shear, 1.0e-3 * shear) << under;
+    }
+  }
+}
+
+// At rest, shear along a face that dips grows downwards by the weight between: soil there must bear that much more.
+TEST(Interface, LeavesWhatTheWeightBelowItAdds) {
+  constexpr double gravity = 9.81, rise = 1.0;  // 45 degrees
+  MaterialPointMethod soil = layered(strong, gravity, rise);
+  Particles& all = soil.particles();
+  std::fill(all.sxx.begin(), all.sxx.end(), shear);
+  std::fill(all.syy.begin(), all.syy.end(), -shear);
+  yield(soil);
+  int seen = 0;
+  for (std::size_t p = 0; p < all.size(); ++p) {
+    // the layer's lowest particles are those on the diagonal
+    const double under = (all.x[p] - all.y[p] - 0.25 * cell) / std::sqrt(2.0);
+    const bool inner = std::min({all.x[p], all.y[p], 16.0 * cell - all.x[p], 16.0 * cell - all.y[p]}) > 4.0 * cell;
+    if (!inner || under < 0.0 || under > 1.75 * cell) continue;
+    const double weight = gravity * all.solid_mass[p] / all.volume[p] / std::sqrt(2.0) * under;
+    EXPECT_NEAR(0.5 * (all.sxx[p] - all.syy[p]), weak + weight, 0.01 * weak) << under / cell;
+    ++seen;
+  }
+  EXPECT_GT(seen, 20);
 }
 
 TEST(Interface, OfSoilsAlikeIsNone) {

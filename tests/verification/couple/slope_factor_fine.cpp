@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "known_factor.hpp"
 #include "run_case.hpp"
@@ -44,11 +45,25 @@ TEST(SlopeFactorFine, OfClayOverFirmGroundIsThatOfCirclesAboveIt) {
 
 TEST(SlopeFactorFine, OfAWedgeOnASoftSeamFourCellsThick) {
   EXPECT_TRUE(record("weak-seam-1", "Wedge on a seam a third as strong, 4 cells thick, over the exact one",
-                     near(1.0, 0.02), WeakSeam{2.0, 0.5}.found(), ""));
+                     near(1.0, 0.02), WeakSeam{.thickness = 2.0, .cell_size = 0.5}.found(), ""));
 }
 
 TEST(SlopeFactorFine, OfAWedgeOnASoftSeamOneCellThick) {
-  EXPECT_TRUE(record("weak-seam-2", "- 1 cell thick", near(1.0, 0.02), WeakSeam{1.0, 1.0}.found(), ""));
+  EXPECT_TRUE(record("weak-seam-2", "- 1 cell thick", near(1.0, 0.02),
+                     WeakSeam{.thickness = 1.0, .cell_size = 1.0}.found(), ""));
+}
+
+// The ground drops away at both ends, so that the slide has none to push against.
+TEST(SlopeFactorFine, OfAFreeWedgeOnASoftSeamOneCellThick) {
+  EXPECT_TRUE(record("weak-seam-3", "- 1 cell thick, 10 cells high, with free ends", near(1.0, 0.02),
+                     WeakSeam{.thickness = 0.5, .cell_size = 0.5, .stands_free = true}.found(), ""));
+}
+
+TEST(SlopeFactorFine, OfAFreeWedgeOnASoftSeamInRock) {
+  constexpr double rock = std::numeric_limits<double>::infinity();
+  EXPECT_TRUE(record("weak-seam-4", "- between soil that never yields", near(1.0, 0.02),
+                     WeakSeam{.thickness = 0.5, .cell_size = 0.5, .times_as_strong = rock, .stands_free = true}.found(),
+                     ""));
 }
 
 }  // namespace

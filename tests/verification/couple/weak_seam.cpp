@@ -40,17 +40,23 @@ double WeakSeam::found() const {
   const double t = thickness;
   const Corner foot = at(0.0, 0.0);
   const double rise = std::tan(dip);
-  const std::string geometry = fmt::format(
-      "geometry=[{}, {}, {}]",
-      region("firm",
-             {{0.0, 0.0}, {24.0, 0.0}, {24.0, foot[1] + (24.0 - foot[0]) * rise}, {0.0, foot[1] - foot[0] * rise}}),
-      region("soft", {at(0.0, 0.0), at(length, 0.0), at(length, t), at(0.0, t)}),
-      region("firm", {at(0.0, t), at(length, t), at(length, t + height_at_ends), at(0.5 * length, t + height),
-                      at(0.0, t + height_at_ends)}));
+  const double drop = stands_free ? 1.5 : 0.0;
+  const auto surface = [&](double x) { return foot[1] + (x - foot[0]) * rise - drop; };
+  std::vector<Corner> ground{{0.0, 0.0}, {24.0, 0.0}, {24.0, surface(24.0)}};
+  if (stands_free) ground.insert(ground.end(), {at(length, -drop), at(length, 0.0), at(0.0, 0.0), at(0.0, -drop)});
+  if (surface(0.0) > 0.0) ground.push_back({0.0, surface(0.0)});
+  const std::string geometry = fmt::format("geometry=[{}, {}, {}]", region("firm", ground),
+                                           region("soft", {at(0.0, 0.0), at(length, 0.0), at(length, t), at(0.0, t)}),
+                                           region("firm", {at(0.0, t), at(length, t), at(length, t + height_at_ends),
+                                                           at(0.5 * length, t + height), at(0.0, t + height_at_ends)}));
   const double weight = unit_weight * length * (t + 0.5 * (height + height_at_ends));
   const double exact = undrained_strength * length / (weight * std::sin(dip));
-  return found_factor(start_case("weak_seam.yaml", {geometry, fmt::format("domain.cell_size={} m", cell_size)})) /
-         exact;
+  const std::string firm = "soils.firm.strength=" +
+                           (std::isinf(times_as_strong) ? std::string("{model: elastic}")
+                                                        : fmt::format("{{model: von_mises, undrained_strength: {} Pa}}",
+                                                                      times_as_strong * undrained_strength));
+  const std::string cells = fmt::format("domain.cell_size={} m", cell_size);
+  return found_factor(start_case("weak_seam.yaml", {geometry, firm, cells})) / exact;
 }
 
 }  // namespace slope::testing

@@ -11,6 +11,7 @@
 #include "slope/solid/grid.hpp"
 #include "slope/solid/particles.hpp"
 #include "slope/solid/soil.hpp"
+#include "slope/solid/soil_faces.hpp"
 #include "slope/solid/strength_law.hpp"
 #include "slope/solid/tensor.hpp"
 
@@ -302,11 +303,6 @@ class MaterialPointMethod {
     double water_force = 0.0;  // of the pore water on the wall (N/m)
     double beside = 0.0;       // sign of the inner normal of a wall with friction that it meets there, if it does
   };
-  // A particle near soil of another kind.
-  struct Beside {
-    std::size_t particle, other;  // and the nearest one of the other soil
-    double nx, ny;                // normal of the face between them
-  };
   // Sums over the particles of a cell, weighted by volume.
   struct CellMeans {
     double volume = 0.0, distance = 0.0, pressure = 0.0;
@@ -368,12 +364,10 @@ class MaterialPointMethod {
   template <bool shares_dilation>
   void strain_particles(double dt, std::span<const double> suction, const StepMode& mode);
   void yield_with_shared_dilation(std::span<const double> suction, const StepMode& mode);
-  void find_neighbours_of_other_soil();
   void bound_traction_between_soils(std::span<const double> suction);
   void update_with_state(double dt, std::span<const double> suction, const StepMode& mode);
   [[nodiscard]] std::span<double> internal_of(std::size_t p);
   [[nodiscard]] Elastic stiffness(std::size_t p, const SymmetricTensor& stress) const;
-  [[nodiscard]] std::size_t kind_of(std::size_t p) const { return state_.particles.soil[p] % kinds_; }
   [[nodiscard]] std::span<const std::size_t> particles_in(std::size_t cell) const;
   [[nodiscard]] bool holds_x_of(std::size_t p) const;
   [[nodiscard]] bool holds_y_of(std::size_t p) const;
@@ -399,9 +393,8 @@ class MaterialPointMethod {
   std::vector<Cell> cells_;                  // in grid order; one more at the end, for its first particle
   std::vector<std::size_t> bands_;           // first cell of each band of rows, see for_each_cell()
 
-  std::size_t kinds_ = 0;                  // of soil: those given at first; a weakened soil is of the kind of its own
-  std::vector<std::size_t> kind_in_cell_;  // per grid cell
-  std::vector<Beside> beside_;             // in grid order
+  std::size_t kinds_ = 0;  // of soil: those given at first; a weakened soil is of the kind of its own
+  SoilFaces faces_;
 
   std::vector<HatWeights> hat_weights_;  // of each particle
   std::vector<std::size_t> hat_at_;      // index in hats_, per node
