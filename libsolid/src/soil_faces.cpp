@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace slope::solid {
 
@@ -34,6 +35,22 @@ template <class Visit>
 void for_each_cell(const Grid& grid, const CellRange& range, const Visit& visit) {
   for (int row = range.first_row; row <= range.last_row; ++row) {
     for (int column = range.first_column; column <= range.last_column; ++column) visit(grid.cell(column, row));
+  }
+}
+
+// The cells that a strip reaches from a place along a direction, so far back and ahead and to either side.
+template <class Visit>
+void for_each_cell_along(const Grid& grid, const Eigen::Vector2d& place, const Eigen::Vector2d& direction, double back,
+                         double ahead, double aside, const Visit& visit) {
+  const double h = grid.cell_size, half_diagonal = h / std::numbers::sqrt2;
+  const CellRange range = cells_around(grid, place[0], place[1], std::hypot(std::max(back, ahead), aside));
+  for (int row = range.first_row; row <= range.last_row; ++row) {
+    for (int column = range.first_column; column <= range.last_column; ++column) {
+      const double x = grid.lower[0] + (column + 0.5) * h - place[0], y = grid.lower[1] + (row + 0.5) * h - place[1];
+      const double along = x * direction[0] + y * direction[1];
+      if (std::abs(x * direction[1] - y * direction[0]) > aside + half_diagonal) continue;
+      if (along > -back - half_diagonal && along < ahead + half_diagonal) visit(grid.cell(column, row));
+    }
   }
 }
 
@@ -118,6 +135,8 @@ void SoilFaces::mark_cells(const Grid& grid, const ByCell& by_cell, const Partic
 void SoilFaces::pair_up(const Grid& grid, const ByCell& by_cell, const Particles& particles) {
   first_point_.assign(grid.cell_count(), none);
   least_square_.assign(particles.size(), std::numeric_limits<double>::infinity());
+  partner_.assign(particles.size(), none);
+  point_of_.resize(particles.size());
   for (int row = 0; row < grid.rows; ++row) {
     for (int column = 0; column < grid.columns; ++column) {
       const std::size_t cell = grid.cell(column, row);
@@ -136,6 +155,7 @@ void SoilFaces::pair_up(const Grid& grid, const ByCell& by_cell, const Particles
         std::size_t nearest = none;
         double least = widest * widest;
         for_each_cell(grid, beside, [&](std::size_t c) {
+          if (kind_in_cell_[c] == particles.soil[p] % kinds_) return;
           for_each_particle(by_cell, c, [&](std::size_t q) {
             if (particles.soil[q] % kinds_ == particles.soil[p] % kinds_) return;
             const double distance = (place(particles, q) - at).squaredNorm();
@@ -146,11 +166,18 @@ void SoilFaces::pair_up(const Grid& grid, const ByCell& by_cell, const Particles
         });
         if (nearest == none || least == 0.0) return;
         least_square_[p] = least;
+        partner_[p] = nearest;
+        if (partner_[nearest] == p) {
+          points_[point_of_[nearest]].weight = 2.0;
+          return;
+        }
+        point_of_[p] = points_.size();
         std::array<std::size_t, 2> sides{p, nearest};
         std::ranges::sort(sides, {}, [&](std::size_t q) { return particles.soil[q] % kinds_; });
         Point point;
         point.particle = sides;
         point.kind = {particles.soil[sides[0]] % kinds_, particles.soil[sides[1]] % kinds_};
+        point.weight = 1.0;
         point.x = 0.5 * (place(particles, sides[0]) + place(particles, sides[1]));
         point.pair_normal = (place(particles, sides[1]) - place(particles, sides[0])).normalized();
         points_.push_back(point);
@@ -176,8 +203,10 @@ void SoilFaces::pair_up(const Grid& grid, const ByCell& by_cell, const Particles
 void SoilFaces::draw_lines(const Grid& grid) {
   const auto for_each_like = [&](const Point& point, double window, const auto& visit) {
     for_each_point_around(grid, point, window, [&](const Point& other) {
-      const double distance = (other.x - point.x).norm();
-      if (other.kind == point.kind && distance < window) visit(other, 1.0 - distance / window);
+      const double square = (other.x - point.x).squaredNorm();
+      if (square >= window * window || other.kind != point.kind) return;
+      const double distance = std::sqrt(square);
+      visit(other, other.weight * (1.0 - distance / window));
     });
   };
   for (Point& point : points_) {
@@ -205,7 +234,7 @@ void SoilFaces::measure_layers(const Grid& grid, const Particles& particles) {
   for (Point& point : points_) {
     const double spacing = std::sqrt(particles.volume[point.particle[0]]);
     const double aside = std::max(0.5 * grid.cell_size, spacing);
-    for_each_point_around(grid, point, band * grid.cell_size, [&](const Point& other) {
+    const auto look_at = [&](const Point& other) {
       const Eigen::Vector2d between = other.foot - point.foot;
       if (std::abs(cross(between, point.normal)) > aside) return;
       for (const std::size_t side : {0U, 1U}) {
@@ -221,6 +250,10 @@ void SoilFaces::measure_layers(const Grid& grid, const Particles& particles) {
           point.beyond[side] = other.particle[1 - inner];
         }
       }
+    };
+    const double far = band * grid.cell_size;
+    for_each_cell_along(grid, point.foot, point.normal, far, far, aside, [&](std::size_t cell) {
+      for (std::size_t k = first_point_[cell]; k != none; k = points_[k].next) look_at(points_[k]);
     });
   }
 }
@@ -233,8 +266,7 @@ void SoilFaces::gather(const Grid& grid, const ByCell& by_cell, const Particles&
       const double spacing = std::sqrt(particles.volume[point.particle[side]]);
       const double closest = std::max(near * h, 0.75 * spacing), aside = past_the_end * h + 0.5 * spacing;
       const double reach = std::max(closest, 0.5 * (band * h - point.thickness[1 - side]));
-      const CellRange range = cells_around(grid, point.foot[0], point.foot[1], std::hypot(reach, aside));
-      for_each_cell(grid, range, [&](std::size_t cell) {
+      for_each_cell_along(grid, point.foot, normal, reach, 0.5 * spacing, aside, [&](std::size_t cell) {
         if (kind_in_cell_[cell] != several && kind_in_cell_[cell] != point.kind[side]) return;
         for_each_particle(by_cell, cell, [&](std::size_t p) {
           if (particles.soil[p] % kinds_ != point.kind[side]) return;

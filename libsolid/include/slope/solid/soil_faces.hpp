@@ -55,6 +55,7 @@ class SoilFaces {
     std::array<std::size_t, 2> particle;  // on either side
     std::array<std::size_t, 2> kind;      // rising
     Eigen::Vector2d x;                    // halfway between them
+    double weight;                        // 2 where each is the other's nearest
     Eigen::Vector2d pair_normal, rough_normal;
     Eigen::Vector2d foot, normal;  // of the line
     std::array<double, 2> thickness{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
@@ -73,6 +74,8 @@ class SoilFaces {
   std::size_t kinds_ = 0;
   std::vector<std::size_t> kind_in_cell_;  // or several, or none
   std::vector<double> least_square_;       // of each particle, of its distance from another soil (m2)
+  std::vector<std::size_t> partner_;       // of each particle, the nearest one of another soil
+  std::vector<std::size_t> point_of_;      // of each particle that has a partner
   std::vector<Point> points_;
   std::vector<std::size_t> first_point_;  // in each cell
   std::vector<Beside> beside_;
