@@ -87,7 +87,7 @@ class Line {
     const Eigen::Vector2d rough = normal_.normalized();
     Eigen::Vector2d normal{-std::sin(along), std::cos(along)};
     if (normal.dot(rough) < 0.0) normal = -normal;
-    if (std::hypot(difference, twice_xy) < slender * moment.trace() || normal.dot(rough) < least_cosine) return rough;
+    if (std::hypot(difference, twice_xy) <= slender * moment.trace() || normal.dot(rough) < least_cosine) return rough;
     return normal;
   }
 
@@ -215,7 +215,7 @@ void SoilFaces::draw_lines(const Grid& grid) {
       constexpr double least_cosine = -0.1;  // pairs at a step of the lattice stand at right angles
       if (other.pair_normal.dot(point.pair_normal) >= least_cosine) sum += weight * other.pair_normal;
     });
-    point.rough_normal = sum.normalized();
+    point.rough_normal = sum.squaredNorm() > 0.0 ? sum.normalized() : point.pair_normal;
   }
   for (Point& point : points_) {
     Line line;

@@ -125,6 +125,25 @@ TEST(SoilFaces, EndWhereTheOtherSoilDoes) {
   }
 }
 
+// A lone pebble, and one at a slant from another: nothing to draw a line through.
+TEST(SoilFaces, OfAFewParticlesHaveADirection) {
+  const auto pebble = [](double x, double y) { return std::abs(x - 0.125) < 0.2 && std::abs(y - 8.125) < 0.2 ? 1 : 0; };
+  const auto speckled = [](double x, double y) {
+    return (static_cast<int>(std::floor(4.0 * x)) + 3 * static_cast<int>(std::floor(4.0 * y))) % 5 == 0 ? 1 : 0;
+  };
+  for (const std::function<int(double, double)>& soil_at :
+       {std::function<int(double, double)>(pebble), std::function<int(double, double)>(speckled)}) {
+    const Ground ground(2, soil_at);
+    ASSERT_FALSE(ground.faces.particles_beside().empty());
+    for (const std::size_t p : ground.faces.particles_beside()) {
+      ground.faces.for_each_face_of(p, [&](const SoilFaces::Beside& face) {
+        EXPECT_NEAR(face.normal.norm(), 1.0, 1.0e-12);
+        EXPECT_TRUE(std::isfinite(face.gap));
+      });
+    }
+  }
+}
+
 TEST(SoilFaces, AreThreeWhereThreeSoilsMeet) {
   const Ground ground(2, [](double x, double y) { return y < 8.0 ? 0 : x < 3.0 ? 1 : 2; });
   std::map<int, int> others;  // of soil 0, and how many of its particles touch it
