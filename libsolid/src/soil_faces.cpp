@@ -273,14 +273,8 @@ void SoilFaces::gather(const Grid& grid, const ByCell& by_cell, const Particles&
           const Eigen::Vector2d between = point.foot - place(particles, p);
           const double gap = between.dot(normal);
           if (gap < -0.5 * spacing || gap > reach || std::abs(cross(between, normal)) > aside) return;
-          const Beside found{p,
-                             point.particle[1 - side],
-                             point.beyond[1 - side],
-                             normal,
-                             std::max(gap, 0.0),
-                             between.norm(),
-                             gap <= closest,
-                             none};
+          const Beside found{point.particle[1 - side], point.beyond[1 - side], normal, std::max(gap, 0.0),
+                             between.norm(),           gap <= closest,         none};
           // of the faces of one soil, the nearest
           std::size_t k = first_beside_[p];
           while (k != none && particles.soil[beside_[k].other] % kinds_ != point.kind[1 - side]) k = beside_[k].next;

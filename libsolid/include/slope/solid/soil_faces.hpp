@@ -23,7 +23,6 @@ class SoilFaces {
 
   /// A particle near a face of its soil.
   struct Beside {
-    std::size_t particle;
     std::size_t other;       ///< particle of the other soil, at the face
     std::size_t beyond;      ///< particle of the soil behind that, if the other one is a thin layer; else none
     Eigen::Vector2d normal;  ///< of the face, out of the particle's soil
